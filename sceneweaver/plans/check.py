@@ -80,8 +80,7 @@ def check_plan(
                 hard.append(violation)
             else:
                 soft.append(violation)
-                bound = rule.least if rule.least is not None else rule.most
-                cost += rule.weight * float(excess) / (abs(bound) if bound else 1.0)
+                cost += rule.cost(float(excess))
     for is_hard, weight, violation in asked(plan):
         if is_hard:
             hard.append(violation)

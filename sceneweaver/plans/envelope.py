@@ -26,9 +26,6 @@ GRID = 0.001
 _MODULE = 0.05
 """Sides of chosen envelopes are multiples of this [m]."""
 
-_CLEAR = 0.855
-"""Floor between the walls by what the outer faces enclose: walls of 0.30 and 0.10 m around rooms of usual size."""
-
 _LEAST_WINDOW_ROOM = 2.4
 """Length of an outer wall [m] that a room with daylight takes, where no least side is given."""
 
@@ -197,11 +194,11 @@ def envelope_for(programme: Programme, seed: int = 0) -> Envelope:
         raise InputError(f"seed is {show(seed)}; give a whole number")
     rng = random.Random(f"envelope {seed} {programme.name}")
     placed = programme.with_storeys()
-    gross = max(_gross(placed, storey) for storey in range(placed.storeys))
+    clear = max(_clear(placed, storey) for storey in range(placed.storeys))
     facade = max(_facade(placed, storey) for storey in range(placed.storeys))
     best: tuple[float, Envelope] | None = None
     for _ in range(_TRIES):
-        envelope = _proposal(placed, gross, rng)
+        envelope = _proposal(placed, clear, rng)
         lack = facade - sum(_clear_length(envelope, wall) for wall in envelope.open_walls)
         if best is None or lack < best[0]:
             best = (lack, envelope)
@@ -211,15 +208,15 @@ def envelope_for(programme: Programme, seed: int = 0) -> Envelope:
     return best[1]
 
 
-def _proposal(programme: Programme, gross: float, rng: random.Random) -> Envelope:
-    """A random envelope of that area."""
+def _proposal(programme: Programme, clear: float, rng: random.Random) -> Envelope:
+    """A random envelope with that area between its outer walls."""
     free = programme.use in ("house", "clinic")
     aspect = rng.uniform(1.0, 1.5) if free else rng.uniform(0.9, 1.7)
-    l_shaped = gross >= 70 and rng.random() < 0.25
+    l_shaped = clear >= 60 and rng.random() < 0.25
     missing = rng.uniform(0.08, 0.16) if l_shaped else 0.0
-    full = gross / (1 - missing)
-    width = _module(math.sqrt(full * aspect))
-    depth = _module(full / width)
+    full = clear / (1 - missing)
+    width = _module(math.sqrt(full * aspect) + 2 * OUTER)
+    depth = _module(full / (width - 2 * OUTER) + 2 * OUTER)
     if free:
         closed, entrance = [], None
     else:
@@ -242,13 +239,12 @@ def _proposal(programme: Programme, gross: float, rng: random.Random) -> Envelop
     )
 
 
-def _gross(programme: Programme, storey: int) -> float:
-    """Area between outer faces [m2] that the rooms of a storey need."""
+def _clear(programme: Programme, storey: int) -> float:
+    """Area between the outer walls [m2] that the rooms of a storey need, each with half of the walls around it."""
     rooms = [room for room in programme.rooms if room.storey == storey and "outdoor" not in room.kind.roles]
-    floor = sum(room.area[1] for room in rooms)
-    if len(rooms) > 3 and not any("circulation" in room.kind.roles for room in rooms):
-        floor *= 1.08
-    return floor / _CLEAR
+    floor = sum((math.sqrt(room.area[1]) + INNER) ** 2 for room in rooms)
+    # Without a hall of its own a plan of more than three rooms needs one all the same.
+    return floor * (1.0 if len(rooms) <= 3 or any("circulation" in room.kind.roles for room in rooms) else 1.08)
 
 
 def _facade(programme: Programme, storey: int) -> float:

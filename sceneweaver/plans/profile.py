@@ -74,8 +74,8 @@ DOORS = ("entrance-door", "inner-door")
 class Rule(FrozenModel):
     """A row: ``measure`` of what ``of`` selects is at least ``least`` and at most ``most``.
 
-    Soft rows (``hard`` false) do not make a plan invalid: their breach costs ``weight`` times the excess, relative to
-    the bound. ``except_of`` leaves out doors of these rooms.
+    Soft rows (``hard`` false) do not make a plan invalid: their breach costs ``weight``, less where the excess is
+    below ``per`` (None: the bound, or 1 where that is 0). ``except_of`` leaves out doors of these rooms.
     """
 
     _noun = "rule"
@@ -89,6 +89,7 @@ class Rule(FrozenModel):
     most: Number | None = None
     hard: Flag = True
     weight: Weight = 1.0
+    per: Weight | None = None
     uses: tuple[Name, ...] = ()
     says: Name
     source: Name
@@ -109,6 +110,11 @@ class Rule(FrozenModel):
     def concerns(self, use: str) -> bool:
         """Whether the row is about plans of this use."""
         return not self.uses or use in self.uses
+
+    def cost(self, excess: float) -> float:
+        """What a breach by ``excess`` costs in a soft row, 0 to ``weight``."""
+        bound = self.least if self.least is not None else self.most
+        return self.weight * min(1.0, excess / (self.per or abs(bound or 0.0) or 1.0))
 
     def excess(self, value: float) -> float:
         """How far ``value`` is out of the interval, in the measure's unit; 0 inside."""

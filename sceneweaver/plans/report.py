@@ -32,7 +32,7 @@ class PlanReport:
         violations: of hard rules.
         soft: of soft rules.
         areas: floor between the walls [m2] by room.
-        cost: weighted excess of the soft rules, relative to their bounds; 0 is best.
+        cost: of the soft rules that are broken, see `Rule.cost`; 0 is best.
         measures: values of the plan's own measures, such as ``circulation_share``.
     """
 
