@@ -34,8 +34,10 @@ if TYPE_CHECKING:
     from sceneweaver.home import Home as Home
     from sceneweaver.importers import ImportedHome as ImportedHome
     from sceneweaver.importers import ImportedScene as ImportedScene
+    from sceneweaver.importers import PlanRepair as PlanRepair
     from sceneweaver.importers import read_homes as read_homes
     from sceneweaver.importers import read_scenes as read_scenes
+    from sceneweaver.importers import repair_plan as repair_plan
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import ParetoFront as ParetoFront
     from sceneweaver.layout import Problem as Problem
@@ -91,6 +93,7 @@ __all__ = [
     "ObjectHandle",
     "ObjectiveTerm",
     "ParetoFront",
+    "PlanRepair",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -133,6 +136,7 @@ __all__ = [
     "refine_many",
     "repair",
     "repair_many",
+    "repair_plan",
     "repair_report",
     "residual_cost",
     "undefine_check",
@@ -157,6 +161,7 @@ _HOME = {
     "ObjectHandle": "building",
     "ObjectiveTerm": "layout",
     "ParetoFront": "layout",
+    "PlanRepair": "importers",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -198,6 +203,7 @@ _HOME = {
     "refine_many": "explain",
     "repair": "repairs",
     "repair_many": "repairs",
+    "repair_plan": "importers",
     "repair_report": "repairs",
     "residual_cost": "extend",
     "undefine_check": "critic",

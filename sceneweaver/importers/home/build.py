@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from sceneweaver.geometry.walls import Point, Wall
 from sceneweaver.home import DoorKind, Home, HomeDoor, HomeRoom, HomeWindow, Storey, WallThickness
 from sceneweaver.home.limits import THICKEST
 from sceneweaver.io import InputError
@@ -34,7 +35,7 @@ SLIDES = 1.2
 CEILING = 0.3
 """Thickness [m] of a ceiling between two storeys that no file states."""
 
-PASSAGE = 0.6
+PASSAGE = 0.4
 """Least length [m] along which two rooms without a wall between them touch for a passage to be there."""
 
 
@@ -358,31 +359,32 @@ def _hinge(placed: Placed, into: int, walls: Walls) -> Literal["left", "right"]:
 def _passages(
     rooms: Sequence[_Room], walls: Walls, height: float, used: set[str], doors: list[HomeDoor], notes: list[str]
 ) -> None:
-    """Open passages where two rooms touch and nothing is between them, where no door joins them."""
-    joined = {frozenset((d.room, d.to)) for d in doors if d.to is not None}
+    """Open passages wherever two rooms touch: nothing is drawn between them."""
     for k, room in enumerate(rooms):
         for other in range(k + 1, len(rooms)):
-            if frozenset((room.name, rooms[other].name)) in joined:
+            for a, b in _touching(walls.rooms[k], walls.rooms[other]):
+                placed = place(Opening(SourceOpening("", "passage", a, b), (k, other)), walls, only=True)
+                if isinstance(placed, str) or placed.to is None:
+                    continue
+                name = _free_id(f"{room.name}-{rooms[other].name}", used)
+                doors.append(_door(name, placed, rooms, walls, height))
+                notes.append(f"{room.name} and {rooms[other].name} have no wall between them: an open passage")
+
+
+def _touching(here: Sequence[Wall], there: Sequence[Wall]) -> list[tuple[Point, Point]]:
+    """Where walls of two rooms lie on one line, as the two ends of each."""
+    found = []
+    for wall in here:
+        for back in there:
+            if wall.along[0] * back.along[0] + wall.along[1] * back.along[1] > -0.9999:
                 continue
-            best: tuple[float, SourceOpening] | None = None
-            for wall in walls.rooms[k]:
-                for back in walls.rooms[other]:
-                    if wall.along[0] * back.along[0] + wall.along[1] * back.along[1] > -0.9999:
-                        continue
-                    if not -floors.TOUCH <= wall.coordinates(back.start)[1] <= floors.TOUCH:
-                        continue
-                    a, b = sorted((wall.coordinates(back.start)[0], wall.coordinates(back.end)[0]))
-                    a, b = max(0.0, a), min(wall.length, b)
-                    if b - a >= PASSAGE and (best is None or b - a > best[0]):
-                        best = b - a, SourceOpening("", "passage", wall.point(a), wall.point(b))
-            if best is None:
+            if not -floors.TOUCH <= wall.coordinates(back.start)[1] <= floors.TOUCH:
                 continue
-            name = _free_id(f"{room.name}-{rooms[other].name}", used)
-            placed = place(Opening(best[1], (k, other)), walls)
-            if isinstance(placed, str) or placed.to is None:
-                continue
-            doors.append(_door(name, placed, rooms, walls, height))
-            notes.append(f"{room.name} and {rooms[other].name} have no wall between them: an open passage")
+            a, b = sorted((wall.coordinates(back.start)[0], wall.coordinates(back.end)[0]))
+            a, b = max(0.0, a), min(wall.length, b)
+            if b - a >= PASSAGE:
+                found.append((wall.point(a), wall.point(b)))
+    return found
 
 
 def _free_id(name: str, used: set[str]) -> str:

@@ -39,6 +39,9 @@ STUB = 0.1
 SLANT = 0.06
 """Tangent below which a wall is meant to lie along an axis."""
 
+STEP = 0.035
+"""Steps of a wall, and gaps between two rooms, of less than this [m] are noise: no wall is so thin."""
+
 LEVEL = 0.01
 """Walls along an axis whose places differ by less than this [m] lie on one line."""
 
@@ -170,14 +173,8 @@ def _level(outlines: list[Any], axis: int) -> None:
     members = [np.flatnonzero(group == g) for g in walls]
     places = np.array([np.average(values[m], weights=weight[m]) for m in members])
     heavy = np.array([weight[m].sum() for m in members])
-    order = np.argsort(places, kind="stable")
-    bundles: list[list[int]] = []
-    for k in order.tolist():
-        if bundles and places[k] - places[bundles[-1][0]] <= LEVEL:
-            bundles[-1].append(k)
-        else:
-            bundles.append([k])
-    for bundle in bundles:
+    number = {int(n): k for k, m in enumerate(members) for n in m}
+    for bundle in _bundles(places, _steps(outlines, starts, axis, number, places)):
         spread = np.ptp(places[bundle])
         place = places[bundle[0]] if spread < 1e-9 else np.average(places[bundle], weights=heavy[bundle])
         for k in bundle:
@@ -185,6 +182,42 @@ def _level(outlines: list[Any], axis: int) -> None:
     for ring, start, count in zip(outlines, starts[:-1], counts, strict=True):
         if ring is not None:
             ring[:, axis] = values[start : start + count]
+
+
+def _bundles(places: np.ndarray, pairs: Sequence[tuple[int, int]]) -> list[list[int]]:
+    """Numbers of walls that are to lie on one line: those of nearly equal places, and the pairs."""
+    label = np.arange(len(places))
+    order = np.argsort(places, kind="stable").tolist()
+    first = order[0]
+    for k in order[1:]:
+        if places[k] - places[first] <= LEVEL:
+            label[label == label[k]] = label[first]
+        else:
+            first = k
+    for a, b in pairs:
+        label[label == label[b]] = label[a]
+    return [np.flatnonzero(label == g).tolist() for g in np.unique(label)]
+
+
+def _steps(
+    outlines: Sequence[Any], starts: np.ndarray, axis: int, number: dict[int, int], places: np.ndarray
+) -> list[tuple[int, int]]:
+    """Pairs of walls of a step in an outline, or of two rooms that all but touch, less than `STEP` apart."""
+    walls: list[tuple[int, float, float, int]] = []
+    found: list[tuple[int, int]] = []
+    for room, (ring, start) in enumerate(zip(outlines, starts[:-1], strict=True)):
+        for k in range(0 if ring is None else len(ring)):
+            a, b = start + k, start + (k + 1) % len(ring)
+            low, high = sorted((float(ring[k, 1 - axis]), float(ring[(k + 1) % len(ring), 1 - axis])))
+            if number.get(a) is not None and number.get(a) == number.get(b):
+                walls.append((number[a], low, high, room))
+            elif abs(ring[k, axis] - ring[(k + 1) % len(ring), axis]) <= STEP and high - low <= LEVEL:
+                found += [(number[a], number[b])] if a in number and b in number else []
+    for k, (one, low, high, room) in enumerate(walls):
+        for other, low_, high_, room_ in walls[k + 1 :]:
+            if room != room_ and abs(places[one] - places[other]) <= STEP and min(high, high_) - max(low, low_) > 0.1:
+                found.append((one, other))
+    return found
 
 
 def gaps(rings: Sequence[np.ndarray]) -> list[tuple[float, float]]:

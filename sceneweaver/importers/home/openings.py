@@ -90,10 +90,18 @@ def _middle(o: SourceOpening) -> tuple[float, float]:
     return (o.start[0] + o.end[0]) / 2, (o.start[1] + o.end[1]) / 2
 
 
-def place(opening: Opening, walls: Walls) -> Placed | str:
-    """The opening in a wall of a room and, where there is one, of the room behind; or why it has none."""
+def place(opening: Opening, walls: Walls, *, only: bool = False) -> Placed | str:
+    """The opening in a wall of a room and, where there is one, of the room behind; or why it has none.
+
+    Args:
+        opening: with its rooms as the file has them.
+        walls: get what the opening takes.
+        only: whether no other rooms than those come into question.
+    """
     source = opening.source
-    sides = _sides(opening, walls)
+    sides = _sides(opening, walls, only)
+    if only and len(sides) != len(opening.rooms):
+        return "its rooms have no walls there"
     if not sides:
         return "no wall of a room is near it"
     room, wall, low, high = sides[0]
@@ -130,7 +138,7 @@ def _down(value: float) -> float:
     return math.floor(value * 1000 + 1e-4) / 1000
 
 
-def _sides(opening: Opening, walls: Walls) -> list[tuple[int, Wall, float, float]]:
+def _sides(opening: Opening, walls: Walls, only: bool) -> list[tuple[int, Wall, float, float]]:
     """The nearest wall on each of the two sides of an opening, with its extent along that wall; one or two."""
     source = opening.source
     width = math.dist(source.start, source.end)
@@ -140,6 +148,8 @@ def _sides(opening: Opening, walls: Walls) -> list[tuple[int, Wall, float, float
     middle = _middle(source)
     best: dict[bool, tuple[float, int, Wall, float, float]] = {}
     for room, mine in enumerate(walls.rooms):
+        if only and room not in opening.rooms:
+            continue
         for wall in mine:
             cosine = wall.along[0] * way[0] + wall.along[1] * way[1]
             if abs(cosine) < 0.97:
@@ -158,7 +168,7 @@ def _sides(opening: Opening, walls: Walls) -> list[tuple[int, Wall, float, float
             if side not in best or cost < best[side][0]:
                 best[side] = (cost, room, wall, low, high)
     found = sorted(best.values(), key=lambda b: b[0])
-    if len(found) == 2 and found[0][1] == found[1][1]:
+    if len(found) == 2 and (found[0][1] == found[1][1] or source.leads_to == "outside"):
         found = found[:1]
     return [(room, wall, low, high) for _, room, wall, low, high in found]
 

@@ -158,7 +158,8 @@ def test_noise_of_pixels_is_taken_out(tmp_path: Path) -> None:
     file = tmp_path / "noise.svg"
     file.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" data-scale="0.01">'
-        '<polygon id="bedroom" points="0,0 400,0 400,100 402,100 402,300 1,300 0,150 -8,150 -8,600 -14,600 -14,140 "/>'
+        '<polygon id="bedroom" points="0,0 400,0 400,100 402,100 402,300 1,300 0,150 -8,150 -8,600 -14,600 -14,140 '
+        '0,140"/>'
         '<rect id="bath" x="380" y="200" width="200" height="100"/></svg>'
     )
     (imported,) = sw.read_homes(file, drawn="faces")
