@@ -19,6 +19,7 @@ from benchmarks import (
     prior_memory,
     prior_train,
     problems,
+    real_plans,
     report,
     system_scenes,
 )
@@ -59,6 +60,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return prior_train.main(words[1:])
         if words[:1] == ["nouns"]:
             return noun_table.main(words[1:])
+        if words[:1] == ["real_plans"]:
+            return real_plans.main(words[1:])
         if words[:1] == ["comparison"]:
             return system_scenes.main(words[1:])
         return _report(words[1:]) if words[:1] == ["report"] else _run(words)
@@ -83,6 +86,7 @@ def parser() -> argparse.ArgumentParser:
         epilog="python -m benchmarks report --help: write the page of results; problems --help: the zoo of problems; "
         "layouts --help: layouts as a data set; datasets --help: scenes of one; "
         "prior_data, prior_train, prior_memory --help: the learned prior; nouns --help: the table of nouns; "
+        "real_plans --help: plans of other systems against the rules; "
         "comparison --help: our scenes beside those of other systems.",
     )
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")

@@ -37,8 +37,12 @@ if TYPE_CHECKING:
     from sceneweaver.furnish import design_home as design_home
     from sceneweaver.furnish import furnish_home as furnish_home
     from sceneweaver.home import Home as Home
+    from sceneweaver.importers import ImportedHome as ImportedHome
     from sceneweaver.importers import ImportedScene as ImportedScene
+    from sceneweaver.importers import PlanRepair as PlanRepair
+    from sceneweaver.importers import read_homes as read_homes
     from sceneweaver.importers import read_scenes as read_scenes
+    from sceneweaver.importers import repair_plan as repair_plan
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import ParetoFront as ParetoFront
     from sceneweaver.layout import Problem as Problem
@@ -87,6 +91,7 @@ __all__ = [
     "FurnishedHome",
     "Home",
     "HomeResult",
+    "ImportedHome",
     "ImportedScene",
     "InputError",
     "LayoutPrior",
@@ -95,6 +100,7 @@ __all__ = [
     "ObjectHandle",
     "ObjectiveTerm",
     "ParetoFront",
+    "PlanRepair",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -134,11 +140,13 @@ __all__ = [
     "objective_of",
     "optimize_variables",
     "pareto_front",
+    "read_homes",
     "read_scenes",
     "refine",
     "refine_many",
     "repair",
     "repair_many",
+    "repair_plan",
     "repair_report",
     "residual_cost",
     "undefine_check",
@@ -156,6 +164,7 @@ _HOME = {
     "FurnishedHome": "furnish",
     "Home": "home",
     "HomeResult": "furnish",
+    "ImportedHome": "importers",
     "ImportedScene": "importers",
     "InputError": "scene",
     "LayoutPrior": "prior",
@@ -164,6 +173,7 @@ _HOME = {
     "ObjectHandle": "building",
     "ObjectiveTerm": "layout",
     "ParetoFront": "layout",
+    "PlanRepair": "importers",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -202,11 +212,13 @@ _HOME = {
     "objective_of": "layout",
     "optimize_variables": "layout",
     "pareto_front": "layout",
+    "read_homes": "importers",
     "read_scenes": "importers",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",
     "repair_many": "repairs",
+    "repair_plan": "importers",
     "repair_report": "repairs",
     "residual_cost": "extend",
     "undefine_check": "critic",

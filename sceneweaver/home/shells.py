@@ -15,6 +15,11 @@ ALONG, ROUNDED = 1e-6, 6
 """How far [m] the ends of an opening may lie over those of the wall behind, and decimals of an offset."""
 
 
+FACING = -1 + 2e-5
+"""Cosine of walls that face each other, at most: slanted ones whose corners lie on the grid of 1 mm are not parallel to
+the last digit."""
+
+
 def room_shell(home: HomeContent, room_id: str) -> Room:
     """See `Home.shell`."""
     room = home.room(room_id)
@@ -67,7 +72,7 @@ def place_in(home: HomeContent, door: HomeDoor, room_id: str) -> tuple[int, floa
     best: tuple[float, int, float] | None = None
     for wall in home.room(room_id).walls:
         turned = wall.along[0] * here.along[0] + wall.along[1] * here.along[1]
-        if turned > -1 + 1e-9:  # walls of two rooms that face each other run in opposite directions
+        if turned > FACING:  # walls of two rooms that face each other run in opposite directions
             continue
         (low, near), (high, _) = wall.coordinates(last), wall.coordinates(first)
         if low < -ALONG or high > wall.length + ALONG or not -ALONG <= -near <= THICKEST:

@@ -5,6 +5,10 @@ A format is a small module in `formats`; what all need is here: frames, sizes, c
 
 from .categories import category_of as category_of
 from .formats import formats as formats
+from .home import ImportedHome as ImportedHome
+from .home import PlanRepair as PlanRepair
+from .home import read_homes as read_homes
+from .home import repair_plan as repair_plan
 from .model import ReadOptions as ReadOptions
 from .model import SourceFormat as SourceFormat
 from .model import SourceObject as SourceObject
@@ -19,7 +23,9 @@ from .scene import to_scene as to_scene
 
 __all__ = [
     "AUTO",
+    "ImportedHome",
     "ImportedScene",
+    "PlanRepair",
     "ReadOptions",
     "SourceFormat",
     "SourceObject",
@@ -28,7 +34,9 @@ __all__ = [
     "category_of",
     "format_of",
     "formats",
+    "read_homes",
     "read_scenes",
+    "repair_plan",
     "sources",
     "to_scene",
 ]

@@ -79,6 +79,9 @@ class SourceRoom:
 
     ``outline`` [m] is a simple polygon in either order; None: there is none in the file, and the room is drawn around
     its objects. ``text`` is the request that the scene was made for. ``notes`` say what was left out or assumed.
+
+    Rooms of one ``house`` share a frame; files with several houses name each. ``storey`` is the name of its storey, ""
+    where the file has one alone.
     """
 
     name: str
@@ -89,6 +92,8 @@ class SourceRoom:
     objects: tuple[SourceObject, ...] = ()
     text: str = ""
     notes: tuple[str, ...] = ()
+    house: str = ""
+    storey: str = ""
 
 
 @dataclass(frozen=True)
@@ -96,11 +101,12 @@ class ReadOptions:
     """What the user gives beside a file.
 
     ``folder`` holds assets, meshes or metadata of the system that wrote the file; ``room`` is the name of the only
-    room that is wanted.
+    room that is wanted; ``scale`` is metres for a unit, for drawings that do not say it.
     """
 
     folder: Path | None = None
     room: str | None = None
+    scale: float | None = None
 
 
 @dataclass(frozen=True)

@@ -153,7 +153,7 @@ def read_scenes(
     used: set[str] = set()
     some = False
     for file, entry in sources(Path(path), source):
-        for rooms in _guarded(file, entry, options, on_error):
+        for rooms in read_rooms(file, entry, options, on_error):
             if room is not None and rooms.name != room:
                 continue
             some = True
@@ -171,10 +171,10 @@ def read_scenes(
         raise InputError(f"--room: {path_name(Path(path))} has no room {quote(room)}")
 
 
-def _guarded(
+def read_rooms(
     file: Path, entry: SourceFormat, options: ReadOptions, on_error: Callable[[str], None] | None
 ) -> Iterator[SourceRoom]:
-    """The rooms of a file; whatever is wrong with it is one line that names it."""
+    """The rooms of a file; whatever is wrong with it is one line that names it: raised, or given to ``on_error``."""
     try:
         yield from entry.read(file, options)
     except InputError as error:

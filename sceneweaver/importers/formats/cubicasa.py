@@ -20,6 +20,7 @@ from sceneweaver.io.messages import path_name, show
 
 from ..model import ReadOptions, SourceFormat, SourceOpening, SourceRoom
 from ..outlines import middle_line, near_wall
+from ..svg_text import NUMBER, matrix_of, tag
 from ..values import LARGEST
 
 DOOR = 0.8
@@ -33,8 +34,6 @@ MOST = 2000
 
 REACH = 0.45  # [m] from the middle of an opening to the face of its wall
 LEAST = 0.3  # [m2] least room
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-_CALL = re.compile(r"(matrix|translate|scale|rotate)\s*\(([^()]*)\)")
 _CAPITAL = re.compile(r"(?<=[a-z])(?=[A-Z])")
 
 
@@ -47,20 +46,20 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     """The rooms of the plan, in its order."""
     where = path_name(path)
     root = load_xml(path)
-    if _tag(root) != "svg":
-        raise InputError(f"{where}: <{_tag(root)}> is no <svg>; give CubiCasa's model.svg")
-    spaces: list[tuple[str, np.ndarray]] = []
+    if tag(root) != "svg":
+        raise InputError(f"{where}: <{tag(root)}> is no <svg>; give CubiCasa's model.svg")
+    spaces: list[tuple[str, np.ndarray, str]] = []
     holes: list[tuple[Any, np.ndarray]] = []
     fixtures = _walk(root, spaces, holes, where)
     if not spaces:
         raise InputError(f'{where}: no room in it; rooms are groups with class="Space ..." and a polygon')
     if len(spaces) + len(holes) > MOST:
         raise InputError(f"{where}: {len(spaces)} rooms and {len(holes)} openings; at most {MOST} are read")
-    unit, said = _unit(holes)
-    rooms = [(kind, corners * np.array([unit, -unit])) for kind, corners in spaces]
+    unit, said = _unit(holes, options.scale)
+    rooms = [(kind, corners * np.array([unit, -unit]), storey) for kind, corners, storey in spaces]
     middles = [(kind, *middle_line(corners * np.array([unit, -unit]))) for kind, corners in holes]
     counts: dict[str, int] = {}
-    for kind, ring in rooms:
+    for kind, ring, storey in rooms:
         area = abs(float(_area(ring)))
         words = _CAPITAL.sub("_", kind).lower()
         name = f"{words}_{counts.setdefault(words, 0)}"
@@ -86,31 +85,30 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
                 if near_wall(ring, a, b, max(REACH, thick))
             ),
             notes=tuple(notes),
+            storey=storey,
         )
 
 
-def _tag(element: Any) -> str:
-    return str(element.tag).rpartition("}")[2]
-
-
 def _walk(
-    root: Any, spaces: list[tuple[str, np.ndarray]], holes: list[tuple[Any, np.ndarray]], where: str
+    root: Any, spaces: list[tuple[str, np.ndarray, str]], holes: list[tuple[Any, np.ndarray]], where: str
 ) -> dict[str, int]:
     """Fills rooms, and doors and windows, with their corners [n, 2] in the picture; returns fixtures by type."""
     fixtures: dict[str, int] = {}
-    left = [(root, np.eye(3))]
+    left = [(root, np.eye(3), "")]
     while left:
-        element, above = left.pop()
-        turn = above @ _transform(element.get("transform", ""), where)
-        if _tag(element) in ("defs", "symbol"):
+        element, above, storey = left.pop()
+        turn = above @ matrix_of(element.get("transform", ""), where)
+        if tag(element) in ("defs", "symbol"):
             continue
         inner = [child for child in element if isinstance(child.tag, str)]
         kinds = (element.get("class") or element.get("id") or "").split()
-        kind = kinds[0] if kinds and _tag(element) == "g" else ""
+        kind = kinds[0] if kinds and tag(element) == "g" else ""
+        if kind == "Floorplan" and len(kinds) > 1:
+            storey = kinds[1]  # "Floorplan Floor-1"
         if kind == "Space":
             corners = _polygon(inner, turn, where)
             if corners is not None:
-                spaces.append((kinds[1] if len(kinds) > 1 else "Room", corners))
+                spaces.append((kinds[1] if len(kinds) > 1 else "Room", corners, storey))
         elif kind in ("Door", "Window"):
             corners = _polygon(inner, turn, where)
             if corners is not None:
@@ -120,61 +118,33 @@ def _walk(
             name = kinds[1] if len(kinds) > 1 else "other"
             fixtures[name] = fixtures.get(name, 0) + 1
             continue
-        left.extend((child, turn) for child in reversed(inner))
+        left.extend((child, turn, storey) for child in reversed(inner))
     return fixtures
 
 
 def _polygon(children: list[Any], turn: np.ndarray, where: str) -> np.ndarray | None:
     """The corners of the first polygon among elements, moved by a matrix [3, 3]."""
-    element = next((child for child in children if _tag(child) == "polygon"), None)
+    element = next((child for child in children if tag(child) == "polygon"), None)
     if element is None:
         return None
     text = element.get("points") or ""
     if re.search(r"nan|inf", text, re.IGNORECASE):
         raise InputError(f"{where}: points {show(text[:40])}: numbers must be finite")
-    values = [float(v) for v in _NUMBER.findall(text)]
-    if re.sub(r"[\s,]", "", _NUMBER.sub("", text)) or len(values) < 6 or len(values) % 2:
+    values = [float(v) for v in NUMBER.findall(text)]
+    if re.sub(r"[\s,]", "", NUMBER.sub("", text)) or len(values) < 6 or len(values) % 2:
         raise InputError(f"{where}: points {show(text[:40])}: x,y pairs of three corners or more are needed")
     if max(map(abs, values)) > LARGEST:
         raise InputError(f"{where}: points {show(text[:40])}: too large for a plan")
     corners = np.array(values).reshape(-1, 2)
-    moved = corners @ (turn @ _transform(element.get("transform", ""), where))[:2, :2].T
-    moved = moved + (turn @ _transform(element.get("transform", ""), where))[:2, 2]
+    moved = corners @ (turn @ matrix_of(element.get("transform", ""), where))[:2, :2].T
+    moved = moved + (turn @ matrix_of(element.get("transform", ""), where))[:2, 2]
     return moved[:-1] if (np.abs(moved[0] - moved[-1]) < 1e-9).all() and len(moved) > 3 else moved
 
 
-def _transform(text: str, where: str) -> np.ndarray:
-    """The matrix [3, 3] of a transform attribute."""
-    found = np.eye(3)
-    if not text.strip():
-        return found
-    if re.sub(r"[\s,]", "", _CALL.sub("", text)):
-        raise InputError(f"{where}: transform {show(text[:40])} is not read; use matrix, translate, scale or rotate")
-    for name, inside in _CALL.findall(text):
-        v = [float(n) for n in _NUMBER.findall(inside)]
-        counts = {"matrix": (6,), "translate": (1, 2), "scale": (1, 2), "rotate": (1, 3)}[name]
-        if v and not max(map(abs, v)) <= LARGEST:
-            raise InputError(f"{where}: transform {show(text[:40])}: too large for a plan")
-        if len(v) not in counts:
-            raise InputError(f"{where}: transform {show(text[:40])}: {name} has {len(v)} numbers")
-        step = np.eye(3)
-        if name == "matrix":
-            step[:2] = np.array(v).reshape(3, 2).T
-        elif name == "translate":
-            step[:2, 2] = v[0], v[1] if len(v) > 1 else 0.0
-        elif name == "scale":
-            step[0, 0], step[1, 1] = v[0], v[-1]
-        else:
-            c, s = np.cos(np.radians(v[0])), np.sin(np.radians(v[0]))
-            step[:2, :2] = [[c, -s], [s, c]]
-            if len(v) == 3:
-                step[:2, 2] = np.array(v[1:]) - step[:2, :2] @ np.array(v[1:])
-        found = found @ step
-    return found
-
-
-def _unit(holes: list[tuple[Any, np.ndarray]]) -> tuple[float, str]:
+def _unit(holes: list[tuple[Any, np.ndarray]], scale: float | None) -> tuple[float, str]:
     """Metres of a unit, and how that was found."""
+    if scale is not None:
+        return scale, f"a unit is {scale:g} m, as given"
     widths = sorted(float(np.hypot(*(b - a))) for kind, c in holes if kind == "door" for a, b, _ in [middle_line(c)])
     widths = [width for width in widths if width > 0]
     if not widths:

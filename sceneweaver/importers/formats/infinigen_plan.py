@@ -51,6 +51,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
         for name, item in plan[key].items()
         for i, (a, b) in enumerate(pairwise(shape(item).points))
     ]
+    levels = {found[1] for room in outlines if (found := re.search(r"_(\d+)/\d+$", room))}
     lost = {name for name, _, a, b, _ in segments if not any(on_wall(o, a, b) for o in outlines.values())}
     for room, outline in outlines.items():
         openings = []
@@ -64,8 +65,15 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
         notes = [f"{name}: lies on no wall of a room; left out" for name in sorted(lost)]
         if any(o.kind != "passage" for o in openings):
             notes.append(f"doors get {DOOR} m, windows {WINDOW[1]} m from {WINDOW[0]} m: the file has no heights")
+        level = re.search(r"_(\d+)/\d+$", room)  # "kitchen_1/0": on the first floor
         yield SourceRoom(
-            room, re.sub(r"_\d+(?:/\d+)?$", "", room), tuple(outline), None, tuple(openings), notes=tuple(notes)
+            room,
+            re.sub(r"_\d+(?:/\d+)?$", "", room),
+            tuple(outline),
+            None,
+            tuple(openings),
+            notes=tuple(notes),
+            storey=level[1] if level and len(levels) > 1 else "",
         )
 
 

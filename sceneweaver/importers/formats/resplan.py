@@ -84,7 +84,7 @@ def _plan(plan: Mapping[str, Any], prefix: str, options: ReadOptions, where: str
     rooms = [(kind, shape) for layer, shapes in layers.items() if (kind := _room(layer)) for shape in shapes]
     if not rooms:
         raise InputError(f"{where}: no layer is a room; layers are {', '.join(sorted(ROOMS))}")
-    unit, said = _unit(plan, layers, rooms)
+    unit, said = _unit(plan, layers, rooms, options.scale)
     passed = sorted(layer for layer in layers if not _room(layer) and layer not in OPENINGS)
     holes = []
     for layer, kind in OPENINGS.items():
@@ -114,6 +114,7 @@ def _plan(plan: Mapping[str, Any], prefix: str, options: ReadOptions, where: str
                 if near_wall(ring, a, b, max(0.3, thick))
             ),
             notes=(said, *left, *((f"layers passed over: {', '.join(passed)}",) if passed else ())),
+            house=prefix.rstrip("-"),
         )
 
 
@@ -194,8 +195,12 @@ def _parts(shape: Any) -> list[Any]:
     return [part for part in shapely.get_parts(shape) if not part.is_empty]
 
 
-def _unit(plan: Mapping[str, Any], layers: Mapping[str, list[Any]], rooms: list[tuple[str, Any]]) -> tuple[float, str]:
+def _unit(
+    plan: Mapping[str, Any], layers: Mapping[str, list[Any]], rooms: list[tuple[str, Any]], scale: float | None
+) -> tuple[float, str]:
     """Metres of a unit, and how that was found."""
+    if scale is not None:
+        return scale, f"a unit is {scale:g} m, as given"
     area = plan.get("area")
     inner = sum(shape.area for shape in layers.get("inner", []))
     if isinstance(area, int | float) and 0 < area < LARGEST and inner > 0:

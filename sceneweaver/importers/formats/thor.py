@@ -104,6 +104,7 @@ def _house(house: Entry, prefix: str, folder: Path | None) -> Iterator[SourceRoo
             tuple(home.things[name]),
             text=house.word("query"),
             notes=tuple(home.notes[name]),
+            house=prefix.strip(),
         )
 
 
