@@ -54,7 +54,7 @@ def finish_plans(
         weight[k] = s.weight[candidate, k]
     measure_trees(p, code, n, weight, end, least, share)
     count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
-    soft = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
+    soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
     doors = s.doors[candidate]
     n_doors, failed = place_doors(
         p, frame, count, cells, storey, must, parent, leaves, leaf_level, fronts, front_level, record, doors

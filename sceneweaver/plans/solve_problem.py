@@ -144,13 +144,7 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
     cell_room = cell_room[: min(most, tables.MAX_CODE // 2)]
     arrays = _room_arrays(programme, rows) | _relation_arrays(programme, rows)
     arrays["cell_room"] = np.array(cell_room, dtype=np.int32)
-    arrays["cell_side"] = np.array(
-        [
-            arrays["room_side"][room] if cell < len(rooms) or _roomy(rooms[room]) else _passage(rows, rooms[room])
-            for cell, room in enumerate(cell_room)
-        ],
-        dtype=np.int32,
-    )
+    arrays["cell_side"] = arrays["room_side"][cell_room]
     arrays |= _frame_arrays(programme, frames) | _facade_arrays(envelope)
     circulation = rows.bound("circulation_share")[1], rows.bound("circulation_share", soft=True)[1]
     glazing = max((row.least or 0.0 for row in rows.hard if row.measure == "glazing"), default=0.0)
@@ -160,7 +154,6 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
     numbers = {
         "rooms": len(rooms),
         "cells": len(cell_room),
-        "extra_side": max(_passage(rows, room) for room in rooms),
         "frames": len(frames),
         "storeys": programme.storeys,
         "entrance": programme.index[programme.entrance],

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 Rect = tuple[int, int, int, int]
 
-FLIGHT = 950
+FLIGHT = 920
 """Width of a flight [mm]."""
-EYE = 100
+EYE = 60
 """Between the flights [mm]."""
-GOING = 260
-LANDING = 950
+GOING = 255
+LANDING = 920
 """Depth of the landing halfway [mm]."""
 FLOOR = 1100
 """Depth of the floor before the first and after the last step [mm]: a passage and the wall beside it."""
