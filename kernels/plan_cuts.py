@@ -25,6 +25,7 @@ from .plan_tables import (
     CUT_X,
     ENTRANCE,
     GLAZED,
+    HARD_WEIGHT,
     LIT,
     MAX_CELLS,
     MAX_CODE,
@@ -345,7 +346,7 @@ def solve_cuts(
     for step in range(steps + 1):
         count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
         soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
-        energy = 10.0 * hard_of(violation) + soft
+        energy = HARD_WEIGHT * hard_of(violation) + soft
         if energy < lowest:
             lowest = energy
             for k in range(n):

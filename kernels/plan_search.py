@@ -16,6 +16,7 @@ from .plan_tables import (
     CUT_X,
     CUT_Y,
     FRONTS,
+    HARD_WEIGHT,
     MAX_CELLS,
     MAX_CODE,
     MAX_DOORS,
@@ -32,7 +33,6 @@ SPINES = wp.constant(0.7)  # of the bays with a hall begin with rooms in rows al
 GUIDED = wp.constant(0.3)  # of the moves of cells go beside a room that an adjacency asks for
 KEEPS = wp.constant(0.85)  # of the rounds begin with the storeys that were in order
 BLAMED = wp.constant(0.4)  # of the moves begin at a room that violates something
-HARD_WEIGHT = wp.constant(10.0)  # of a violation of 1, against soft rows
 
 
 @wp.func

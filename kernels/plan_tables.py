@@ -26,6 +26,8 @@ MAX_ROWS = 40  # adjacencies
 CUT_X = wp.constant(100)
 CUT_Y = wp.constant(101)
 
+HARD_WEIGHT = wp.constant(10.0)  # of a violation of 1, against soft rows
+
 # Bits of ``PlanProblem.room_flags``.
 THROUGH = wp.constant(1)  # anybody may walk through it
 SUITE = wp.constant(2)  # its own annexes may lie behind it

@@ -14,7 +14,7 @@ from sceneweaver.kernels import load, plan_tables
 from sceneweaver.kernels.plan_cuts import solve_cuts
 from sceneweaver.kernels.plan_search import search_plans
 from sceneweaver.kernels.plan_tables import STATE, PlanState
-from sceneweaver.kernels.plan_verdict import finish_plans
+from sceneweaver.kernels.plan_verdict import judge_cells, place_cells
 from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.runtime.threads import cores, map_threads
 
@@ -104,7 +104,8 @@ def run_rounds(
     def one_round(part: Any, size: int) -> None:
         wp.launch(search_plans, size, [problem, moves, MORE, HOT, COLD], [part], device=device, block_dim=BLOCK)
         wp.launch(solve_cuts, size, [problem, STEPS], [part], device=device, block_dim=BLOCK)
-        wp.launch(finish_plans, size, [problem], [part], device=device, block_dim=BLOCK)
+        wp.launch(place_cells, size, [problem], [part], device=device, block_dim=BLOCK)
+        wp.launch(judge_cells, size, [problem], [part], device=device, block_dim=BLOCK)
 
     run = _on_cpu if device == "cpu" else _on_gpu
     timed_out = run(one_round, state, candidates, rounds, device, end)
