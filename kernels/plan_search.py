@@ -42,7 +42,7 @@ def may_lie(p: PlanProblem, cell: wp.int32, storey: wp.int32):
 
 
 @wp.func
-def add_row(
+def append_row(
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
     cut: wp.int32,
@@ -61,7 +61,7 @@ def add_row(
 
 
 @wp.func
-def add_spine(
+def append_spine(
     p: PlanProblem,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
@@ -82,12 +82,12 @@ def add_spine(
         split += 1
     axis = pick(rng, 2)
     code[n] = CUT_X + axis
-    n = add_row(code, n + 1, CUT_Y - axis, piece, 0, split)
+    n = append_row(code, n + 1, CUT_Y - axis, piece, 0, split)
     if split < m:
         code[n] = CUT_X + axis
         n += 1
     code[n] = hall
-    return add_row(code, n + 1, CUT_Y - axis, piece, split, m)
+    return append_row(code, n + 1, CUT_Y - axis, piece, split, m)
 
 
 @wp.func(inline=False)
@@ -154,7 +154,7 @@ def random_forest(
         if m == 0 and hall < 0:
             return 0
         if hall >= 0 and m >= 2 and uniform(rng) < SPINES:
-            n = add_spine(p, code, n, hall, piece, m, rng)
+            n = append_spine(p, code, n, hall, piece, m, rng)
         else:
             if hall >= 0:
                 at = pick(rng, m + 1)
@@ -213,7 +213,7 @@ def drawn_frame(p: PlanProblem, u: wp.float32):
 
 
 @wp.func(inline=False)
-def propose(
+def propose_move(
     p: PlanProblem,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
@@ -460,7 +460,7 @@ def search_plans(
         for k in range(p.cells):
             new_weight[k] = weight[k]
         new_frame = frame
-        n = propose(p, trial, length, level, new_frame, new_weight, piece, guilty, rng)
+        n = propose_move(p, trial, length, level, new_frame, new_weight, piece, guilty, rng)
         heat *= rate
         number += 1
     s.energy[candidate] = lowest
