@@ -25,6 +25,7 @@ from .plan_tables import (
     CUT_X,
     ENTRANCE,
     GLAZED,
+    HARD_WEIGHT,
     LIT,
     MAX_CELLS,
     MAX_CODE,
@@ -293,7 +294,7 @@ def pull_ways(
             if d[0] == p.inner or d[1] == p.inner:
                 axis = wp.where(d[0] == p.inner and d[1] <= d[0], 1, 0)
                 e = pull_overlap(
-                    p, cell_bounds, i, cells[i], j, cells[j], axis, p.extra_side, gradient, curvature
+                    p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature
                 )
                 cost += 2.0 * e * e
     return cost
@@ -344,8 +345,8 @@ def solve_cuts(
     lowest = s.energy[candidate]
     for step in range(steps + 1):
         count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
-        soft = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
-        energy = 10.0 * hard_of(violation) + soft
+        soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
+        energy = HARD_WEIGHT * hard_of(violation) + soft
         if energy < lowest:
             lowest = energy
             for k in range(n):

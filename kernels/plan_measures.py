@@ -203,7 +203,7 @@ def survey_pairs(
                         if shared > 0:
                             if a == b:
                                 if j < p.rooms and i < p.cells:
-                                    if shared >= p.extra_side:
+                                    if shared >= p.room_side[a]:
                                         area[a] = area[a] + shared * p.inner
                                 elif i < p.cells:
                                     shape += shared
@@ -222,7 +222,7 @@ def survey_pairs(
                             wets[b] = wets[b] | (1 << a)
             if i >= p.rooms and i < p.cells:
                 if storey[a] == storey[i]:
-                    shape += lacking(p, ca, cells[a], p.extra_side)
+                    shape += lacking(p, ca, cells[a], p.room_side[a])
                 else:
                     shape += 5000
     return shape
@@ -299,6 +299,16 @@ def wet_count(p: PlanProblem, wets: wp.array(dtype=wp.int32)):
     return groups, first
 
 
+@wp.func
+def facade_way(p: PlanProblem, hull: wp.vec4i):
+    """How far [mm] a rectangle is from the nearest outer wall that may have windows."""
+    least = int(FAR)
+    for f in range(p.facade.shape[0]):
+        if (p.facade_flags[f] & WINDOWS) != 0:
+            least = wp.min(least, wp.abs(hull[p.facade[f][0]] - p.facade[f][1]))
+    return least
+
+
 @wp.func(inline=False)
 def measure_rooms(
     p: PlanProblem,
@@ -309,8 +319,12 @@ def measure_rooms(
     area: wp.array(dtype=wp.int32),
     violation: wp.array(dtype=wp.float32),
 ):
-    """Violations of what each room has to be by itself: floor, sides, shape, light. Gives what is soft of that."""
+    """Violations of what each room has to be by itself: floor, sides, shape, light.
+
+    Gives what is soft of that, and the rooms that violate something (bits).
+    """
     soft = float(0.0)
+    blame = int(0)
     total = float(0.0)
     halls = float(0.0)
     largest = int(0)
@@ -323,6 +337,8 @@ def measure_rooms(
             halls += float(floor)
         if has(p, r, LARGE):
             largest = wp.max(largest, floor)
+        if floor < bounds[0] or floor > bounds[2]:
+            blame = blame | (1 << r)
         off = float(floor) / float(wp.max(bounds[1], 1)) - 1.0
         soft += p.weights[0] * off * off
         hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
@@ -336,7 +352,9 @@ def measure_rooms(
                 )
                 if i < p.cells:
                     short = wp.min(c[2] - c[0], c[3] - c[1])
-                    violation[SIDE] = violation[SIDE] + MILLI * float(wp.max(p.cell_side[i] - short, 0))
+                    if short < p.cell_side[i]:
+                        blame = blame | (1 << r)
+                        violation[SIDE] = violation[SIDE] + MILLI * float(p.cell_side[i] - short)
                 if has(p, r, GLAZED | LIT | SUNNY):
                     for f in range(p.facade.shape[0]):
                         if (p.facade_flags[f] & WINDOWS) != 0:
@@ -351,6 +369,7 @@ def measure_rooms(
         ratio = p.room_aspect[r]
         over = float(long) - MILLI * float(ratio[0]) * float(short)
         if wp.int64(long) * wp.int64(1000) > wp.int64(short) * wp.int64(ratio[0]):
+            blame = blame | (1 << r)
             violation[ASPECT] = violation[ASPECT] + MILLI * wp.max(over, 1.0)
         soft += p.weights[1] * wp.max(float(long) / float(wp.max(short, 1)) - MILLI * float(ratio[1]), 0.0)
         need = int(0)
@@ -358,7 +377,11 @@ def measure_rooms(
             need = p.least_window
         if has(p, r, GLAZED):
             need = wp.max(need, window_need(p, floor))
-        violation[GLAZING] = violation[GLAZING] + MILLI * float(wp.max(need - lit, 0))
+        if lit < need:
+            # a room inside is drawn to the outer walls
+            blame = blame | (1 << r)
+            way = wp.min(facade_way(p, hull), 10000)
+            violation[GLAZING] = violation[GLAZING] + MILLI * (float(need - lit) + 0.3 * float(way))
         if has(p, r, SUNNY):
             soft += p.weights[5] * MILLI * float(wp.max(2 * need - sun, 0))
     share = halls / wp.max(total, 1.0)
@@ -366,7 +389,7 @@ def measure_rooms(
         violation[SHARE] = wp.max(20.0 * (share - MILLI * float(p.corridors[0])), 0.001)
     soft += p.weights[2] * wp.max(share - MILLI * float(p.corridors[1]), 0.0)
     violation[LARGEST] = 1.0e-6 * float(wp.max(p.large_room - largest, 0))
-    return soft
+    return soft, blame
 
 
 @wp.func
@@ -391,12 +414,15 @@ def measure_plan(
     parent: wp.array(dtype=wp.int32),
     violation: wp.array(dtype=wp.float32),
 ):
-    """Violations of all rules that do not depend on where doors and windows are, and the soft rows' energy."""
+    """Violations of all rules that do not depend on where doors and windows are.
+
+    Gives the soft rows' energy, and the rooms that violate something (bits).
+    """
     for k in range(RULE_COUNT):
         violation[k] = 0.0
     shape = survey_pairs(p, frame, count, cells, storey, touch, wets, area)
     violation[SHAPE] = MILLI * float(shape)
-    soft = measure_rooms(p, frame, count, cells, storey, area, violation)
+    soft, blame = measure_rooms(p, frame, count, cells, storey, area, violation)
 
     for r in range(p.rooms):
         must[r] = 0
@@ -421,6 +447,8 @@ def measure_plan(
                 lack += 0.3
         if weight < 0.0:
             violation[ADJACENCY] = violation[ADJACENCY] + lack
+            if lack > 0.0:
+                blame = blame | (1 << a) | (1 << b)
         else:
             soft += weight * wp.min(lack, 10.0)
 
@@ -432,6 +460,7 @@ def measure_plan(
                 if ((reached >> o) & 1) != 0 and has(p, o, THROUGH):
                     need = door_width(p, r, o) + 2 * p.jamb
                     least = wp.min(least, rooms_lack(p, frame, count, cells, storey, r, o, need, True))
+            blame = blame | (1 << r)
             violation[REACHED] = violation[REACHED] + 0.3 + MILLI * float(least)
         elif has(p, r, QUIET):
             o = parent[r]
@@ -451,6 +480,8 @@ def measure_plan(
                     overlap = wp.min(c[along + 2], facade[3]) - wp.max(c[along], facade[2])
                     least = wp.min(least, wp.abs(c[facade[0]] - facade[1]) + wp.max(need - overlap, 0))
     violation[ENTRY] = MILLI * float(least)
+    if least > 0:
+        blame = blame | (1 << p.entrance)
 
     groups, first = wet_count(p, wets)
     if groups > 1:
@@ -473,7 +504,7 @@ def measure_plan(
         reach = p.wish_reach[k]
         gap = rooms_gap(p, frame, count, cells, storey, p.wish_room[k], p.wish_mask[k])
         soft += reach[1] * wp.clamp(gap - MILLI * reach[0], 0.0, 10.0)
-    return soft
+    return soft, blame
 
 
 @wp.func

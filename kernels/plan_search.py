@@ -3,7 +3,7 @@
 A move exchanges two cells, turns a cut or a subtree, exchanges the sides of a cut, moves a cell or a subtree to
 another place, gives a cell more or less of the floor, adds a cell to a room or takes it away (a hall that bends), or
 goes to another frame. After every move the cuts are placed anew and all rules are measured. A round begins with a random
-forest, unless the candidate is valid.
+forest; storeys that the round before left in order keep theirs.
 """
 
 import warp as wp
@@ -11,8 +11,12 @@ import warp as wp
 from .plan_measures import hard_of, measure_plan
 from .plan_openings import openings_fail
 from .plan_tables import (
+    APART,
+    CIRCULATION,
     CUT_X,
+    CUT_Y,
     FRONTS,
+    HARD_WEIGHT,
     MAX_CELLS,
     MAX_CODE,
     MAX_DOORS,
@@ -20,12 +24,15 @@ from .plan_tables import (
     PlanProblem,
     PlanState,
 )
-from .plan_tree import exchange_sides, insert_beside, lay_out, measure_trees, parent_of, take_out, turn_subtree
+from .plan_tree import exchange_sides, insert_beside, lay_out, measure_trees, parent_of, subtree_end, take_out, turn_subtree
 from .sample import pick, uniform
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
-HARD_WEIGHT = wp.constant(10.0)  # of a violation of 1, against soft rows
+SPINES = wp.constant(0.7)  # of the bays with a hall begin with rooms in rows along it
+GUIDED = wp.constant(0.3)  # of the moves of cells go beside a room that an adjacency asks for
+KEEPS = wp.constant(0.85)  # of the rounds begin with the storeys that were in order
+BLAMED = wp.constant(0.4)  # of the moves begin at a room that violates something
 
 
 @wp.func
@@ -34,19 +41,72 @@ def may_lie(p: PlanProblem, cell: wp.int32, storey: wp.int32):
     return ((p.room_storeys[p.cell_room[cell]] >> storey) & 1) != 0
 
 
+@wp.func
+def append_row(
+    code: wp.array(dtype=wp.int32),
+    n: wp.int32,
+    cut: wp.int32,
+    piece: wp.array(dtype=wp.int32),
+    first: wp.int32,
+    last: wp.int32,
+):
+    """Append a row of cells, each cut off from the rest along an axis; give the new length."""
+    for k in range(first, last):
+        if k + 1 < last:
+            code[n] = cut
+            n += 1
+        code[n] = piece[k]
+        n += 1
+    return n
+
+
+@wp.func
+def append_spine(
+    p: PlanProblem,
+    code: wp.array(dtype=wp.int32),
+    n: wp.int32,
+    hall: wp.int32,
+    piece: wp.array(dtype=wp.int32),
+    m: wp.int32,
+    rng: wp.ref[wp.uint32],
+):
+    """Append a tree in which a hall lies between two rows of rooms, shared out by their floor; give the new length."""
+    total = float(0.0)
+    for k in range(m):
+        total += float(p.room_area[piece[k]][1])
+    half = total * (0.3 + 0.4 * uniform(rng))
+    split = int(0)
+    sum = float(0.0)
+    while split < m and sum < half:
+        sum += float(p.room_area[piece[split]][1])
+        split += 1
+    axis = pick(rng, 2)
+    code[n] = CUT_X + axis
+    n = append_row(code, n + 1, CUT_Y - axis, piece, 0, split)
+    if split < m:
+        code[n] = CUT_X + axis
+        n += 1
+    code[n] = hall
+    return append_row(code, n + 1, CUT_Y - axis, piece, split, m)
+
+
 @wp.func(inline=False)
 def random_forest(
     p: PlanProblem,
     frame: wp.int32,
+    old: wp.array(dtype=wp.int32),
+    kept: wp.int32,
     code: wp.array(dtype=wp.int32),
     piece: wp.array(dtype=wp.int32),
+    one: wp.array(dtype=wp.int32),
     left: wp.array(dtype=wp.float32),
     bay_of: wp.array(dtype=wp.int32),
     rng: wp.ref[wp.uint32],
 ):
     """Deal the rooms out to the frame's bays at random, as far as there is floor, and cut each bay; give the length.
 
-    0: a bay would stay empty.
+    A bay with a hall often begins as two rows of rooms along it. Bays of storeys that are ``kept`` (bits) have the trees
+    of the old code. 0: a bay would stay empty.
     """
     first = p.bay_start[frame]
     bays = p.bay_start[frame + 1] - first
@@ -68,23 +128,46 @@ def random_forest(
             if bay_of[room] >= 0:
                 left[bay_of[room]] = left[bay_of[room]] - 1.0e-6 * float(p.room_area[room][1])
     n = int(0)
+    root = int(0)
     for b in range(bays):
-        root = n
+        if ((kept >> p.bay_storey[first + b]) & 1) != 0:
+            last = subtree_end(old, root)
+            for k in range(root, last):
+                code[n] = old[k]
+                n += 1
+            root = last
+            continue
+        if kept != 0:
+            root = subtree_end(old, root)
+        # the bay's rooms in random order, and its hall
         m = int(0)
-        start = pick(rng, p.rooms)
-        for k in range(p.rooms):
-            room = (start + k) % p.rooms
+        hall = int(-1)
+        for room in range(p.rooms):
             if bay_of[room] == b:
-                if m == 0:
-                    code[n] = room
-                    n += 1
+                if hall < 0 and (p.room_flags[room] & CIRCULATION) != 0:
+                    hall = room
                 else:
-                    at = root + pick(rng, n - root)
-                    piece[0] = room
-                    n = insert_beside(code, n, at, CUT_X + pick(rng, 2), uniform(rng) < 0.5, piece, 1)
-                m += 1
-        if m == 0:
+                    at = pick(rng, m + 1)
+                    piece[m] = piece[at]
+                    piece[at] = room
+                    m += 1
+        if m == 0 and hall < 0:
             return 0
+        if hall >= 0 and m >= 2 and uniform(rng) < SPINES:
+            n = append_spine(p, code, n, hall, piece, m, rng)
+        else:
+            if hall >= 0:
+                at = pick(rng, m + 1)
+                piece[m] = piece[at]
+                piece[at] = hall
+                m += 1
+            begin = n
+            code[n] = piece[0]
+            n += 1
+            for k in range(1, m):
+                at = begin + pick(rng, n - begin)
+                one[0] = piece[k]
+                n = insert_beside(code, n, at, CUT_X + pick(rng, 2), uniform(rng) < 0.5, one, 1)
     return n
 
 
@@ -94,6 +177,24 @@ def place_of(code: wp.array(dtype=wp.int32), n: wp.int32, what: wp.int32):
     for t in range(n):
         if code[t] == what:
             return t
+    return -1
+
+
+@wp.func
+def partner_of(p: PlanProblem, room: wp.int32, rng: wp.ref[wp.uint32]):
+    """A room that a hard adjacency wants beside another, at random; -1: there is none."""
+    count = p.adjacency.shape[0]
+    if count == 0:
+        return -1
+    start = pick(rng, count)
+    for k in range(count):
+        at = (start + k) % count
+        x = p.adjacency[at]
+        if x[2] != APART and p.adjacency_weight[at] < 0.0:
+            if x[0] == room:
+                return x[1]
+            if x[1] == room:
+                return x[0]
     return -1
 
 
@@ -112,7 +213,7 @@ def drawn_frame(p: PlanProblem, u: wp.float32):
 
 
 @wp.func(inline=False)
-def propose(
+def propose_move(
     p: PlanProblem,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
@@ -120,11 +221,22 @@ def propose(
     frame: wp.ref[wp.int32],
     weight: wp.array(dtype=wp.float32),
     piece: wp.array(dtype=wp.int32),
+    blame: wp.int32,
     rng: wp.ref[wp.uint32],
 ):
-    """Change a code, its frame or its weights in place by one random move; the new length, or 0 where it is none."""
+    """Change a code, its frame or its weights in place by one random move; the new length, or 0 where it is none.
+
+    Cells of rooms that violate something (bits of ``blame``) are moved more often.
+    """
     u = uniform(rng)
     t = pick(rng, n)
+    if blame != 0 and uniform(rng) < BLAMED:
+        for k in range(n):
+            at = (t + k) % n
+            if code[at] < CUT_X:
+                if ((blame >> p.cell_room[code[at]]) & 1) != 0:
+                    t = at
+                    break
     what = code[t]
     if u < 0.3:
         other = pick(rng, n)
@@ -159,6 +271,15 @@ def propose(
         m = take_out(code, n, t, parent, piece)
         shorter = n - m - 1
         at = pick(rng, shorter)
+        if uniform(rng) < GUIDED and piece[m - 1] < CUT_X:
+            other = partner_of(p, p.cell_room[piece[m - 1]], rng)
+            if other >= 0:
+                beside = place_of(code, shorter, other)
+                if beside >= 0:
+                    over = parent_of(code, beside)
+                    at = beside
+                    if over >= 0 and uniform(rng) < 0.5:
+                        at = over
         # where that place was before, for its storey
         before = at
         if at >= parent:
@@ -200,6 +321,19 @@ def propose(
         low = p.frame_share[family[0] - 1]
     frame = drawn_frame(p, low + uniform(rng) * (p.frame_share[family[1] - 1] - low))
     return n
+
+
+@wp.func
+def storeys_in_order(p: PlanProblem, blame: wp.int32):
+    """Storeys (bits) none of whose rooms violates anything, where there are others; stairs do not count."""
+    bad = int(0)
+    for r in range(p.rooms):
+        if ((blame >> r) & 1) != 0:
+            bad = bad | p.room_storeys[r]
+    all = (1 << p.storeys) - 1
+    if bad == 0:
+        return 0
+    return all & ~bad
 
 
 @wp.kernel
@@ -255,12 +389,24 @@ def search_plans(
     heat = float(hot)
     for k in range(p.cells):
         weight[k] = 1.0e-6 * float(p.room_area[p.cell_room[k]][1])
+    kept = int(0)
+    if s.length[candidate] > 0 and uniform(rng) < KEEPS:
+        kept = storeys_in_order(p, s.blame[candidate])
+    if kept != 0:
+        frame = s.frame[candidate]
+        for k in range(s.length[candidate]):
+            code[k] = s.code[candidate, k]
+        for k in range(p.cells):
+            if ((p.room_storeys[p.cell_room[k]] & kept)) != 0:
+                weight[k] = s.weight[candidate, k]
     while n == 0 and tries < 50:
-        frame = drawn_frame(p, uniform(rng))
-        n = random_forest(p, frame, trial, piece, new_weight, end, rng)
+        if kept == 0:
+            frame = drawn_frame(p, uniform(rng))
+        n = random_forest(p, frame, code, kept, trial, piece, record, new_weight, end, rng)
         tries += 1
     for k in range(p.cells):
         new_weight[k] = weight[k]
+    guilty = int(0)
     energy = float(1.0e30)
     lowest = float(1.0e30)
     length = int(0)
@@ -274,7 +420,7 @@ def search_plans(
         if n > 0:
             measure_trees(p, trial, n, new_weight, end, least, share)
             count = lay_out(p, new_frame, trial, n, True, end, least, share, box, new_level, cut, cells, storey)
-            soft = measure_plan(
+            soft, blame = measure_plan(
                 p, new_frame, count, cells, storey, touch, wets, area, must, parent, violation
             )
             hard = hard_of(violation)
@@ -291,6 +437,7 @@ def search_plans(
                     last = wp.min(last, number + more)
             if value <= ceiling:
                 energy = value
+                guilty = blame
                 length = n
                 frame = new_frame
                 for k in range(n):
@@ -301,6 +448,7 @@ def search_plans(
                 if value < lowest:
                     lowest = value
                     s.frame[candidate] = frame
+                    s.blame[candidate] = blame
                     s.length[candidate] = n
                     for k in range(n):
                         s.code[candidate, k] = code[k]
@@ -312,7 +460,7 @@ def search_plans(
         for k in range(p.cells):
             new_weight[k] = weight[k]
         new_frame = frame
-        n = propose(p, trial, length, level, new_frame, new_weight, piece, rng)
+        n = propose_move(p, trial, length, level, new_frame, new_weight, piece, guilty, rng)
         heat *= rate
         number += 1
     s.energy[candidate] = lowest

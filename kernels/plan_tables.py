@@ -26,6 +26,8 @@ MAX_ROWS = 40  # adjacencies
 CUT_X = wp.constant(100)
 CUT_Y = wp.constant(101)
 
+HARD_WEIGHT = wp.constant(10.0)  # of a violation of 1, against soft rows
+
 # Bits of ``PlanProblem.room_flags``.
 THROUGH = wp.constant(1)  # anybody may walk through it
 SUITE = wp.constant(2)  # its own annexes may lie behind it
@@ -136,7 +138,6 @@ else:
         PROBLEM,
         rooms=wp.int32,
         cells=wp.int32,  # that trees may hold
-        extra_side=wp.int32,  # [mm] least width of a way between two cells of a room
         frames=wp.int32,
         storeys=wp.int32,
         entrance=wp.int32,  # room
@@ -166,6 +167,7 @@ STATE = (
     Table("length", ("candidate",), wp.int32, "", "numbers of the code"),
     Table("weight", ("candidate", "cell"), wp.float32, "m2", "what floor is shared out by"),
     Table("cut", ("candidate", "code"), wp.int32, "mm", "where each cut's wall begins, on the axis that it parts"),
+    Table("blame", ("candidate",), wp.int32, "", "bits: rooms that violate something"),
     Table("energy", ("candidate",), wp.float32, "1", "of the plan as it stands: hard violations, then soft"),
     Table("cells", ("candidate", "cell"), wp.vec4i, "mm", "clear floor of each cell: x0, y0, x1, y1; empty: not there"),
     Table("storey", ("candidate", "cell"), wp.int32, "", "storey of each cell; -1: it is not there"),
