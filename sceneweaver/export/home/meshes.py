@@ -15,9 +15,12 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.room_looks import PAINT, room_looks, wall_look
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, heights
 from sceneweaver.home import Home, HomeDoor, HomeWindow
+from sceneweaver.home.treads import treads
 from sceneweaver.scene import Room
 
+from ..bodies import some_faces
 from ..openings import window_mesh
+from ..room import manifold_mesh
 from .names import HomeNames
 from .pieces import polygons
 from .structure import RAILING, StoreyPlan, deck, stair_steps
@@ -70,8 +73,6 @@ def structure_parts(home: Home, plans: list[StoreyPlan], names: HomeNames) -> li
 
 def by_material(mesh: Mesh) -> list[Mesh]:
     """A mesh as one of each material that it has."""
-    from ..bodies import some_faces
-
     found = []
     for number in np.unique(mesh.face_material).tolist():
         part = some_faces(mesh, mesh.face_material == number)
@@ -121,16 +122,12 @@ def _open_above(home: Home, plan: StoreyPlan) -> Any:
     """Where stairs go up through the ceiling of a storey."""
     import shapely
 
-    from sceneweaver.home.treads import treads
-
     here = {room.id for room in home.rooms_of(plan.storey.id)}
     return shapely.union_all([shapely.Polygon(t.plan) for s in home.stairs if s.lower in here for t in treads(s)])
 
 
 def _sheet(mesh: Mesh) -> Mesh:
     """The underside of a mesh."""
-    from ..bodies import some_faces
-
     corners = mesh.vertices[mesh.faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return some_faces(mesh, normal[:, 2] < -0.9 * np.linalg.norm(normal, axis=1))
@@ -138,6 +135,8 @@ def _sheet(mesh: Mesh) -> Mesh:
 
 def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
     """The walls of a storey with their openings, each face in the paint of the room that sees it."""
+    import shapely
+
     solid = extruded(plan.walls, plan.low - FLOOR_THICKNESS, plan.high)
     for opening in plan.openings:
         low, high = (plan.low + z for z in heights(opening.opening))
@@ -159,8 +158,6 @@ def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
     middle = corners.mean(axis=1)
     upright = np.abs(normal[:, 2]) < 0.5
     before = middle[:, :2] + _AHEAD * normal[:, :2]
-    import shapely
-
     left = upright & ~shapely.contains_xy(plan.walls, *before.T)
     face_material[left & ~_within(plan, before)] = 0
     for name, floor in {**plan.rooms, **plan.outdoors}.items():
@@ -213,6 +210,4 @@ def _lifted(mesh: Mesh, up: float) -> Mesh:
 
 def _of(solid: Any, material: Material = PAINT) -> Mesh:
     """The arrays of a manifold, of one material."""
-    from ..room import manifold_mesh
-
     return manifold_mesh(solid, material)
