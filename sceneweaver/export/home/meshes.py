@@ -56,9 +56,9 @@ def structure_parts(home: Home, plans: list[StoreyPlan], names: HomeNames) -> li
             floor, low = deck(plan, plans[k - 1])
             solid = extruded(floor, low + _APART, plan.low - FLOOR_THICKNESS)
             if solid.num_tri():
-                found.append(Part(f"{names.home}:floor:{storey}", "floor", _of(solid, _OUTSIDE)))
+                found.append(Part(f"{names.home}:floor:{storey}", "floor", manifold_mesh(solid, _OUTSIDE)))
         for room, rail in plan.railings().items():
-            made = _of(extruded(rail, plan.low, plan.low + RAILING[1]), _RAILING)
+            made = manifold_mesh(extruded(rail, plan.low, plan.low + RAILING[1]), _RAILING)
             found.append(Part(f"{names.home}:railing:{room}", "railing", made, room))
         for opening in plan.openings:
             if isinstance(opening.opening, HomeWindow):
@@ -108,10 +108,11 @@ def _floors(home: Home, plan: StoreyPlan, rooms: dict[str, Room]) -> list[Part]:
         floor = extruded(own.difference(plan.holes), plan.low - FLOOR_THICKNESS, plan.low)
         looks = room_looks(rooms[room.id])
         if floor.num_tri():
-            found.append(Part(f"{room.id}:floor", "floor", _of(floor, looks.floor), room.id))
+            found.append(Part(f"{room.id}:floor", "floor", manifold_mesh(floor, looks.floor), room.id))
         if room.outdoor:
             continue
-        sheet = _sheet(_of(extruded(plan.rooms[room.id].difference(_open_above(home, plan)), plan.high, plan.high + 1)))
+        above = extruded(plan.rooms[room.id].difference(_open_above(home, plan)), plan.high, plan.high + 1)
+        sheet = _sheet(manifold_mesh(above, PAINT))
         if len(sheet.faces):
             painted = looks.ceiling or replace(looks.wall, name="ceiling")
             found.append(Part(f"{room.id}:ceiling", "ceiling", replace(sheet, materials=(painted,)), room.id))
@@ -135,8 +136,6 @@ def _sheet(mesh: Mesh) -> Mesh:
 
 def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
     """The walls of a storey with their openings, each face in the paint of the room that sees it."""
-    import shapely
-
     solid = extruded(plan.walls, plan.low - FLOOR_THICKNESS, plan.high)
     for opening in plan.openings:
         low, high = (plan.low + z for z in heights(opening.opening))
@@ -147,9 +146,13 @@ def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
         pocket = plan.pockets.get(opening.opening.id)
         if pocket is not None:
             solid = solid - extruded(pocket.plan, plan.low, high)
-    mesh = _of(solid)
-    if not len(mesh.faces):
-        return mesh
+    return _painted(manifold_mesh(solid, PAINT), plan, rooms)
+
+
+def _painted(mesh: Mesh, plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
+    """The walls of a storey, each face in the paint of the room before it; in openings and on top they are plain."""
+    import shapely
+
     looks: list[Material] = [_OUTSIDE, PAINT]
     face_material = np.ones(len(mesh.faces), dtype=np.int32)
     corners = mesh.vertices[mesh.faces]
@@ -201,13 +204,8 @@ def _stair(steps: list[tuple[np.ndarray, float, float]]) -> Mesh:
     solid = Manifold()
     for plan, low, high in steps:
         solid = solid + extruded(Polygon(plan), low, high)
-    return _of(solid, _TREAD)
+    return manifold_mesh(solid, _TREAD)
 
 
 def _lifted(mesh: Mesh, up: float) -> Mesh:
     return replace(mesh, vertices=mesh.vertices + (0.0, 0.0, up)) if up else mesh
-
-
-def _of(solid: Any, material: Material = PAINT) -> Mesh:
-    """The arrays of a manifold, of one material."""
-    return manifold_mesh(solid, material)
