@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.assets.placed import loader, welded_assets
+from sceneweaver.assets.placed import Load, loader, welded_assets
 from sceneweaver.export import export_scene, format_named
 from sceneweaver.home import Home, is_home
 from sceneweaver.scene import Scene
@@ -71,6 +71,13 @@ def run(python: Path, module: str, folder: Path, wanted: Path, seconds: float, l
     return json.loads(done.stdout.strip().splitlines()[-1])
 
 
+def write_home(home: Home, folder: Path, name: str, load: Load) -> None:
+    """Write a home in a format into a new folder, under the name of a scene's file, by which clients load it."""
+    folder.mkdir()
+    one = format_named(name)
+    one.for_homes().write(home, folder / one.file, load, textures=True)
+
+
 def measure_room(
     path: Path, names: Sequence[str], seconds: float = SECONDS, *, welded: bool = False
 ) -> list[dict[str, Any]]:
@@ -91,10 +98,8 @@ def measure_room(
                 if not folder.exists():
                     if home is None:
                         export_scene(Scene.load(path), folder, [entry.format], welded=welded)
-                    else:  # under the name of a scene's file, by which clients load it
-                        folder.mkdir()
-                        one = format_named(entry.format)
-                        one.for_homes().write(home, folder / one.file, load, textures=True)
+                    else:
+                        write_home(home, folder, entry.format, load)
                 row |= run(python_of(entry.environment), entry.module, folder, wanted, seconds)
             except UnavailableError as error:
                 row["error"] = f"skipped: {error}"
