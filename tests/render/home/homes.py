@@ -99,7 +99,7 @@ def house() -> Home:
         shape="u",
         width=1.0,
         risers=16,
-        going=0.23,
+        going=0.22,
     )
     return Home(
         id="house",
