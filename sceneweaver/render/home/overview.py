@@ -41,7 +41,8 @@ def draw_overview(
     device: str = "cpu",
 ) -> Image.Image:
     """The picture of a storey; see `sceneweaver.render.home.render_home`."""
-    solids = [Instance(mesh, np.eye(4)) for mesh in _meshes(home, storey)]
+    meshes = [*(mesh for _, mesh in open_storey(home, storey)), shell.ground_mesh(home, storey, _GROUND)]
+    solids = [Instance(mesh, np.eye(4)) for mesh in meshes if mesh is not None]
     things = furniture(home, storey, load)
     camera = overview_camera(home, storey, width / height)
     x0, y0, x1, y1 = _bounds(home, storey)
@@ -89,7 +90,11 @@ def _bounds(home: Home, storey: str) -> tuple[float, float, float, float]:
     return shapely.union_all(shapes).bounds
 
 
-def _meshes(home: Home, storey: str) -> list[Mesh]:
+def open_storey(home: Home, storey: str, cut: float = CUT) -> list[tuple[str, Mesh]]:
+    """A storey without ceilings, its walls cut at a height [m]: meshes with what they are, floor or wall.
+
+    Heights are counted from the floor of the storey, as in the scenes of its rooms.
+    """
     looks: dict[str, Finishes] = {
         room.id: finishes_of(shell.scene_of(home, room), cut=_CUT_COLOR) for room in home.rooms_of(storey)
     }
@@ -98,9 +103,10 @@ def _meshes(home: Home, storey: str) -> list[Mesh]:
     def ajar(door: HomeDoor) -> float:
         return 0.0 if door.to is None else _AJAR
 
-    found = [shell.walls_mesh(home, storey, looks, CUT), *shell.floors_of(home, storey, looks)]
-    found += [mesh for _, mesh in shell.doors_of(home, storey, looks, ajar, CUT - 0.002)]
-    found += [mesh for _, mesh in shell.windows_of(home, storey, framed, top=CUT - 0.002)]
-    found += [shell.stairs_mesh(home, storey, CUT), shell.railings_mesh(home, storey)]
-    found.append(shell.ground_mesh(home, storey, _GROUND))
-    return [mesh for mesh in found if mesh is not None]
+    low = cut - 0.002  # frames do not end in the plane of the walls' cut
+    found: list[tuple[str, Mesh | None]] = [("wall", shell.walls_mesh(home, storey, looks, cut))]
+    found += [("floor", mesh) for mesh in shell.floors_of(home, storey, looks)]
+    found += [("wall", mesh) for _, mesh in shell.doors_of(home, storey, looks, ajar, low)]
+    found += [("wall", mesh) for _, mesh in shell.windows_of(home, storey, framed, top=low)]
+    found += [("floor", shell.stairs_mesh(home, storey, cut)), ("wall", shell.railings_mesh(home, storey))]
+    return [(kind, mesh) for kind, mesh in found if mesh is not None]
