@@ -13,6 +13,7 @@ from PIL import Image
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.home import Home, HomeDoor, wall_polygons
+from sceneweaver.scene import Scene
 
 from ..blocks import Finishes, finishes_of
 from ..camera import Camera
@@ -69,10 +70,15 @@ def furniture(home: Home, storey: str, load: Callable[[str], Asset] | None) -> l
     found = []
     for room in home.rooms_of(storey):
         if room.scene is not None:
-            gone = hidden_with(room.scene, (), CUT + _OVER)
+            gone = hidden_when_cut(room.scene)
             things = zip(room.scene.objects, instances_of(room.scene, load), strict=True)
             found += [instance for thing, instance in things if thing.id not in gone]
     return found
+
+
+def hidden_when_cut(scene: Scene) -> set[str]:
+    """Ids of the objects that hang from the ceiling or over the cut of the walls, and of what stands on these."""
+    return hidden_with(scene, (), CUT + _OVER)
 
 
 def overview_camera(home: Home, storey: str, aspect: float) -> Camera:

@@ -14,7 +14,7 @@ from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
 
 from ..tracing import Quality
-from .overview import draw_overview, open_storey
+from .overview import draw_overview, hidden_when_cut, open_storey
 from .plan import draw_plan, plan_picture
 from .plan_names import room_titles
 from .walk import Walk, walk_order
@@ -49,7 +49,7 @@ def home_views(home: Home) -> dict[str, str]:
 
 
 def report_parts(home: Home) -> dict[str, Any]:
-    """What `sceneweaver.report.home.HomePage` takes of drawings: ``plans``, ``solids``, ``captions`` and ``shows``.
+    """What `sceneweaver.report.home.HomePage` takes of drawings: ``plans``, ``solids``, ``hidden``, ``captions``, ``shows``.
 
     Examples:
         >>> import sceneweaver as sw
@@ -62,6 +62,7 @@ def report_parts(home: Home) -> dict[str, Any]:
     return {
         "plans": {storey: draw_plan(home, storey, links=links) for storey in storeys},
         "solids": {storey: open_storey(home, storey) for storey in storeys},
+        "hidden": {r.id: hidden_when_cut(r.scene) for r in home.rooms if r.scene is not None},
         "captions": home_views(home),
         "shows": {f"walk_{k + 1:02d}": stop.room for k, stop in enumerate(walk_order(home))},
     }

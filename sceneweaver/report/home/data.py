@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class HomePage:
     """All that the page of a home shows.
 
-    `sceneweaver.render.home.report_parts` makes ``plans``, ``solids``, ``captions`` and ``shows``.
+    `sceneweaver.render.home.report_parts` makes ``plans``, ``solids``, ``hidden``, ``captions`` and ``shows``.
 
     Attributes:
         home: The home.
@@ -26,6 +26,7 @@ class HomePage:
             what a design says of itself under ``design``. Empty: nobody checked.
         plans: The plan of each storey as SVG; links to ``#room-<id>`` lead to the rooms' sections.
         solids: Of each storey what stands still of the building, for the 3D view: (kind, mesh), floor or wall.
+        hidden: Of each room the ids of the objects that its walls are cut too low for.
         pictures: By name.
         captions: What each of them shows.
         shows: The room that a picture is of, by the picture's name: it stands in that room's section.
@@ -44,6 +45,7 @@ class HomePage:
     metrics: Mapping[str, Any] = field(default_factory=dict)
     plans: Mapping[str, str] = field(default_factory=dict)
     solids: Mapping[str, Sequence[tuple[str, Mesh]]] = field(default_factory=dict)
+    hidden: Mapping[str, Collection[str]] = field(default_factory=dict)
     pictures: Mapping[str, Image] = field(default_factory=dict)
     captions: Mapping[str, str] = field(default_factory=dict)
     shows: Mapping[str, str] = field(default_factory=dict)

@@ -33,6 +33,9 @@ from .data import HomePage
 _SOUTH = -math.pi / 2 + 0.28
 """Where a storey is looked at from [rad]: north is up, as in its plan."""
 
+_PITCH, _STEEP = 0.62, 0.95
+"""How steeply rooms and storeys are looked down at, at first [rad]."""
+
 _HIGH = 1.6  # height [m] that a storey without its roof fills
 
 
@@ -48,16 +51,19 @@ def pack_home(page: HomePage, titles: Mapping[str, str]) -> Packed:
     objects: dict[str, Any] = {}
     notes: list[str] = []
     inside: dict[str, list[int]] = {}  # numbers of the items of each room's objects
+    low: dict[str, list[int]] = {}  # the same without those that walls cut low cannot hold
 
     def take(found: list[dict[str, Any]]) -> list[int]:
         items.extend(found)
         return list(range(len(items) - len(found), len(items)))
 
     for room in home.rooms:
-        inside[room.id] = []
+        inside[room.id] = low[room.id] = []
         if room.scene is not None:
             found, missing = object_items(store, room.scene, page.load, f"{room.id}/")
             inside[room.id] = take(found)
+            gone = {f"{room.id}/{name}" for name in page.hidden.get(room.id, ())}
+            low[room.id] = [k for k in inside[room.id] if items[k]["id"] not in gone]
             notes += missing
             objects |= _facts(room, (page.metrics.get("rooms") or {}).get(room.id) or {})
     scopes = []
@@ -68,7 +74,7 @@ def pack_home(page: HomePage, titles: Mapping[str, str]) -> Packed:
                 solid_item(store, f"{storey.id}/{k}", mesh, kind, 0 if kind == "wall" else None)
                 for k, (kind, mesh) in enumerate(page.solids[storey.id])
             ]
-            shown = [*take(solids), *(k for room in rooms for k in inside[room.id])]
+            shown = [*take(solids), *(k for room in rooms for k in low[room.id])]
             title = storey.id if len(home.storeys) > 1 else "Whole home"
             scopes.append(_storey_scope(home, storey.id, title, shown))
     for room in home.rooms:
@@ -83,6 +89,7 @@ def pack_home(page: HomePage, titles: Mapping[str, str]) -> Packed:
                 "room": room_box(scene.room),
                 "walls": room_walls(scene.room),
                 "yaw": best_side(scene),
+                "pitch": _PITCH,
                 "items": shown,
             }
         )
@@ -112,6 +119,7 @@ def _storey_scope(home: Home, storey: str, title: str, items: list[int]) -> dict
         "room": {"low": low.tolist(), "high": high.tolist(), "height": _HIGH},
         "walls": [{"point": [0.0, 0.0], "outward": [0.0, 0.0]}],
         "yaw": _SOUTH,
+        "pitch": _STEEP,
         "items": items,
     }
 

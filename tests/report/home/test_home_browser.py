@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from sceneweaver.render.home import report_parts
+from sceneweaver.render.home.overview import hidden_when_cut
 from sceneweaver.report.home import HomePage, write_home_report
 from tests.render.home.homes import flat
 from tests.report.browser import BINARY, Browser
@@ -30,7 +31,8 @@ def page(tmp_path_factory) -> Iterator[Browser]:
 def test_it_shows_the_whole_home(page: Browser) -> None:
     assert page.js("document.getElementById('stage').className") == "stage running"
     assert page.js("document.querySelector('[data-scope][aria-pressed=true]').innerText") == "Whole home"
-    assert len(page.js(LISTED)) == sum(len(room.scene.objects) for room in flat().rooms if room.scene is not None)
+    rooms = [room.scene for room in flat().rooms if room.scene is not None]
+    assert len(page.js(LISTED)) == sum(len(scene.objects) - len(hidden_when_cut(scene)) for scene in rooms)
 
 
 def test_a_room_of_the_plan_leads_to_its_section(page: Browser) -> None:

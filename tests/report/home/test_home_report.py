@@ -97,8 +97,12 @@ def test_objects_of_all_rooms_are_told_apart() -> None:
     data = shown(text())
     things = {f"{room.id}/{o.id}" for room in flat().rooms if room.scene is not None for o in room.scene.objects}
     assert set(data["objects"]) == things == {i["id"] for i in data["items"] if i["kind"] == "object"}
-    whole = data["scopes"][0]
-    assert {data["items"][k]["id"] for k in whole["items"] if data["items"][k]["kind"] == "object"} == things
+    for scope in data["scopes"]:
+        listed = {data["items"][k]["id"] for k in scope["items"] if data["items"][k]["kind"] == "object"}
+        kind, _, name = scope["id"].partition(":")
+        own = things if kind == "storey" else {thing for thing in things if thing.startswith(f"{name}/")}
+        gone = {f"{room}/{name}" for room, names in page().hidden.items() for name in names}
+        assert listed == (own - gone if kind == "storey" else own)
 
 
 def test_a_home_without_metrics_or_drawings_is_shown_as_well() -> None:
