@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from PIL import Image
 
@@ -13,8 +14,8 @@ from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
 
 from ..tracing import Quality
-from .overview import draw_overview
-from .plan import plan_picture
+from .overview import draw_overview, hidden_when_cut, open_storey
+from .plan import draw_plan, plan_picture
 from .plan_names import room_titles
 from .walk import Walk, walk_order
 
@@ -45,6 +46,26 @@ def home_views(home: Home) -> dict[str, str]:
     for k, stop in enumerate(walk):
         found[f"walk_{k + 1:02d}"] = stop.caption(titles)
     return found
+
+
+def report_parts(home: Home) -> dict[str, Any]:
+    """What `sceneweaver.report.home.HomePage` takes of drawings: ``plans``, ``solids``, ``hidden``, ``captions``, ``shows``.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.render.home import report_parts
+        >>> report_parts(sw.Home.example("flat"))["shows"]["walk_01"]
+        'hall'
+    """
+    links = {room.id: f"#room-{room.id}" for room in home.rooms}
+    storeys = [storey.id for storey in home.storeys if home.rooms_of(storey.id)]
+    return {
+        "plans": {storey: draw_plan(home, storey, links=links) for storey in storeys},
+        "solids": {storey: open_storey(home, storey) for storey in storeys},
+        "hidden": {r.id: hidden_when_cut(r.scene) for r in home.rooms if r.scene is not None},
+        "captions": home_views(home),
+        "shows": {f"walk_{k + 1:02d}": stop.room for k, stop in enumerate(walk_order(home))},
+    }
 
 
 def render_home(

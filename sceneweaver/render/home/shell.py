@@ -12,13 +12,13 @@ import shapely
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, wall_openings, wall_polygons
+from sceneweaver.home.treads import treads
 from sceneweaver.scene import Room, Scene, Window
 
 from ..blocks import Builder, Finishes, Range, wall_block
 from ..interior.build import has_panelled_doors
 from ..openings import add_frame, add_leaf, add_window, leaf_span
 from ..shell import add_facing, add_wall_finish, floor_mesh
-from .stair_steps import stair_steps
 
 OPEN = 1.48
 """How far leaves stand open in a walk [rad]."""
@@ -244,8 +244,8 @@ def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
         if storey == upper.id:
             hole = shapely.Polygon(stair.outline)
             extrude(builder, hole.buffer(0.02, join_style="mitre").difference(hole), (base, -0.06), _RISER, _RISER)
-        for step in stair_steps(stair).steps:
-            z = base + step.level * rise
+        for step in treads(stair):
+            z = base + step.number * rise
             if z > top:
                 break
             builder.prism(step.plan, (z - _TREAD, z), _OAK)
@@ -257,7 +257,7 @@ def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
 def ground_mesh(home: Home, storey: str, look: Material) -> Mesh | None:
     """An endless ground under the floor of a storey, with holes where stairs come up."""
     builder = Builder()
-    holes = [shapely.Polygon(s.outline) for s in home.stairs if home.room(s.upper).storey == storey]
+    holes = [shapely.Polygon(s.outline).buffer(0.1) for s in home.stairs if home.room(s.upper).storey == storey]
     reach = 500.0
     extrude(
         builder,
@@ -306,9 +306,11 @@ def around(home: Home, storey: str) -> Room:
     """The building of a storey as one room, with a window wherever something is of glass: what `outside_mesh` asks."""
     rooms = indoors(home, storey)
     whole = shapely.union_all([*wall_polygons(home, storey), *(shapely.Polygon(r.outline) for r in rooms)])
-    largest = max(shapely.get_parts(whole.buffer(1e-3, join_style="mitre")), key=lambda part: part.area)
-    ring = shapely.geometry.polygon.orient(shapely.Polygon(largest.exterior).simplify(0.005)).exterior
-    outline = tuple((round(float(x), 3), round(float(y), 3)) for x, y in np.asarray(ring.coords)[:-1])
+    parts = [p for p in shapely.get_parts(whole.buffer(1e-3, join_style="mitre")) if isinstance(p, shapely.Polygon)]
+    ring = shapely.get_exterior_ring(shapely.Polygon(max(parts, key=lambda part: part.area).exterior).simplify(0.005))
+    ring = shapely.LinearRing(shapely.get_coordinates(ring))
+    corners = np.asarray(ring.coords)[:: 1 if ring.is_ccw else -1][:-1]
+    outline = tuple((round(float(x), 3), round(float(y), 3)) for x, y in corners)
     walls, seen = walls_of(outline), {}
     for room in rooms:
         for window in glass_of(home, room):

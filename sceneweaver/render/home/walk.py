@@ -97,15 +97,15 @@ class Walk:
     def picture(self, number: int, width: int, height: int, quality: Quality | None = None) -> Image.Image:
         """The view of a stop, in any size of the aspect."""
         room, camera = self.home.room(self.stops[number].room), self.camera(number)
-        near = self._near(room, camera)
-        building = list(self._building(room, near, camera))
-        seen = _seen(near, building, camera)
-        near = [one for one in near if one.id in seen or one is room]
+        near = self.near(room, camera)
+        building = list(self.building(room, near, camera))
+        shown_of = seen(near, building, camera)
+        near = [one for one in near if one.id in shown_of or one is room]
         meshes = [*building, *self._trim(near)]
         instances = [Instance(mesh, np.eye(4)) for mesh in meshes]
         for one in near:
             if one.scene is not None:
-                shown = tuple(o for o in one.scene.objects if one is room or o.id in seen[one.id])
+                shown = tuple(o for o in one.scene.objects if one is room or o.id in shown_of[one.id])
                 instances += instances_of(one.scene.model_copy(update={"objects": shown}), self._load)
         outside = self._world(room.storey)
         if outside is not None:
@@ -119,7 +119,7 @@ class Walk:
         """The doors of a room that stand open: those to other rooms."""
         return {door.id for door in self.home.doors_of(room) if door.to is not None}
 
-    def _near(self, room: HomeRoom, camera: Camera) -> list[HomeRoom]:
+    def near(self, room: HomeRoom, camera: Camera) -> list[HomeRoom]:
         """The room, those behind its doors that are before the camera or around it, and those open to these."""
         found = {room.id: room}
         for door in self.home.doors_of(room.id):
@@ -144,7 +144,7 @@ class Walk:
         own = next(d for d in shape.doors if d.id == door.id)
         return shape.walls[own.wall], (own.offset, own.width)
 
-    def _building(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
+    def building(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
         """Walls, floors, doors, windows, stairs and ceilings; doors between the rooms that may be seen stand open."""
         home, storey, looks = self.home, room.storey, self._looks
         here = {one.id for one in near}
@@ -198,7 +198,7 @@ class Walk:
         return scene.model_copy(update={"room": scene.room.model_copy(update={"windows": windows})})
 
 
-def _seen(rooms: list[HomeRoom], building: list[Mesh], camera: Camera) -> dict[str, set[str]]:
+def seen(rooms: list[HomeRoom], building: list[Mesh], camera: Camera) -> dict[str, set[str]]:
     """Of each room of which something is seen, the ids of the objects that are."""
     pieces = [(mesh.vertices, mesh.faces) for mesh in building]
     owners: list[tuple[str, str] | None] = [None] * len(pieces)
