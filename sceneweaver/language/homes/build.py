@@ -112,9 +112,14 @@ def joined(
         for a, b in pairs:
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
-                hard = joint.kind in ("door", "open") and joint.hard
+                hard = joint.kind in ("door", "open") and joint.hard and _may_join(a, b, rooms)
                 found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
     return list(found.values()), asked
+
+
+def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
+    """Whether a door between two rooms may be the way to one of them; else it is one door more than they need."""
+    return any(room_type(room.type).transit != "none" for room in rooms if room.id in (a, b))
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:

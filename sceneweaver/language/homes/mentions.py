@@ -184,6 +184,8 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
+    if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
+        return False
     if single == "room":
         own = before is not None and before.has("own")
         told = before is not None and (

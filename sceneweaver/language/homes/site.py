@@ -56,7 +56,7 @@ def _size(reading: Reading) -> None:
     k = (reading.use_at or 0) - 1
     while k >= 0 and not reading.tokens[k].breaks and (reading.use_at or 0) - k < 5:
         token = reading.tokens[k]
-        if token.has("size") and not token.done:
+        if token.has("size") and not token.done and not token.has("vague"):
             reading.scale = 1.0 + (token.get("size") - 1.0) * WHOLE
             reading.rows.append((token.span, "area", f"rooms of {reading.scale:.0%} of their usual floor"))
             reading.did(k, "area")
