@@ -23,7 +23,7 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     least = 1 + max([level[s] for s in told if s in level], default=0)
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
-    if asked is None and any(s == "ground" for s in told) and reading.use.plan == "house":
+    if asked is None and (reading.share_ground or "ground" in told) and reading.use.plan == "house":
         upper = True
     count = max(asked or 1, least, 2 if upper and not reading.one_storey else 1)
     if (
