@@ -169,6 +169,7 @@ def programme_of(
             id=room.id,
             type=room.type,
             area=room.area or room_type(room.type).area,
+            side=next((one.side for one in room.named if one.side is not None), None),
             storey=placed.get(room.id),
             daylight=daylight.get(room.id),
         )

@@ -218,7 +218,11 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
             follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
         )
         many = whole.count is None or whole.count > 1
-        own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
+        own = (
+            tokens[at].has("joint")
+            or one.kind.name == "ensuite"
+            or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
+        )
         each = (
             left.of is not None
             and left.count is None

@@ -32,7 +32,9 @@ def test_measures_against_plain_numbers():
             assert measured.narrowest(room) == pytest.approx(box.min(), abs=0.02)
             assert measured.turns(room) == (box.min() >= 1.5)
     steps = measured.steps_from_entrance()
-    assert steps["hall"] == 0 and all(steps[name] == 1 for name in ("bath", "bedroom", "living")) and steps["kitchen"] == 2
+    assert (
+        steps["hall"] == 0 and all(steps[name] == 1 for name in ("bath", "bedroom", "living")) and steps["kitchen"] == 2
+    )
     corners = np.vstack([room.outline for room in FLAT.rooms])
     assert measured.sides() == pytest.approx(tuple(np.ptp(corners, axis=0) + 0.6))
 
@@ -60,7 +62,9 @@ def test_joints():
     found = [(d.words.split(":")[0], d.status) for d in demands(read_home(text), FLAT) if d.kind == "joint"]
     assert found == [("open", "met"), ("door", "partly"), ("apart", "met")]
     hinged = doors(FLAT, kind="hinged", opens_into=None)
-    assert [d.status for d in demands(read_home("flat, kitchen open to the living room"), hinged) if d.kind == "joint"] == ["partly"]
+    assert [
+        d.status for d in demands(read_home("flat, kitchen open to the living room"), hinged) if d.kind == "joint"
+    ] == ["partly"]
 
 
 def test_entrance():

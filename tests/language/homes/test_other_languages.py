@@ -12,13 +12,28 @@ from sceneweaver.language.homes.lexicon import data, known
 @pytest.mark.parametrize(
     ("text", "language", "use", "counts"),
     [
-        ("Eine Wohnung mit zwei Schlafzimmern und einer großen Küche, 80 m2.", "de", "flat", {"bedroom": 2, "kitchen": 1}),
+        (
+            "Eine Wohnung mit zwei Schlafzimmern und einer großen Küche, 80 m2.",
+            "de",
+            "flat",
+            {"bedroom": 2, "kitchen": 1},
+        ),
         ("3-Zimmer-Wohnung für ein Paar mit zwei Kindern, mit Balkon", "de", "flat", {"bedroom": 2, "balcony": 1}),
-        ("Haus mit zwei Stockwerken: unten die Küche, oben drei Schlafzimmer", "de", "house", {"bedroom": 3, "landing": 1}),
+        (
+            "Haus mit zwei Stockwerken: unten die Küche, oben drei Schlafzimmer",
+            "de",
+            "house",
+            {"bedroom": 3, "landing": 1},
+        ),
         ("Zahnarztpraxis mit drei Behandlungsräumen und Wartezimmer", "de", "dental_practice", {"dentist": 3}),
         ("Un appartement avec deux chambres et une grande cuisine, 75 m2", "fr", "flat", {"bedroom": 2, "kitchen": 1}),
         ("Une maison à deux étages avec trois chambres et un garage", "fr", "house", {"bedroom": 3, "garage": 1}),
-        ("Cabinet médical avec deux salles de consultation et une salle d'attente", "fr", "clinic", {"doctors_office": 2}),
+        (
+            "Cabinet médical avec deux salles de consultation et une salle d'attente",
+            "fr",
+            "clinic",
+            {"doctors_office": 2},
+        ),
         ("Un piso de tres dormitorios con una cocina grande y dos baños", "es", "flat", {"bedroom": 3, "bathroom": 2}),
         ("Una casa de dos plantas con cuatro dormitorios y un garaje", "es", "house", {"bedroom": 4, "garage": 1}),
         ("Oficina con dos salas de reuniones, una cocina y aseos", "es", "office", {"meeting_room": 2}),
@@ -47,5 +62,8 @@ def test_words_mean_what_the_reader_of_homes_knows():
     for rows in data("translations").values():
         for english in (meaning for kind in rows.values() for meaning in kind.values()):
             phrase = str(english).replace("-", " ")
-            assert known(phrase) or all(known(word) or word.isdigit() for word in phrase.replace(",", "").split() if word not in
-                                        ("two", "three", "four", "one", "bed")), english
+            assert known(phrase) or all(
+                known(word) or word.isdigit()
+                for word in phrase.replace(",", "").split()
+                if word not in ("two", "three", "four", "one", "bed")
+            ), english
