@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from sceneweaver.language.vocabulary import NUMBERS
-from sceneweaver.plans import room_type
+from sceneweaver.plans import Programme, RoomSpec, room_type
 
 from .lexicon import data
 from .parts import Reading
@@ -14,10 +15,13 @@ from .resolve import Room
 SPREAD = (0.85, 1.25)
 """Least and most floor by the target, for a room whose size is said in words or follows from people."""
 
+CLEARLY = 1.1
+"""Factor on its usual floor from which on a room is big, and under whose inverse it is small."""
+
 EXACT = 0.05
 """Share by which a room may be off an area that is said."""
 
-FITS = (0.7, 1.6)
+FITS = (0.65, 2.0)
 """Factors between which usual areas are fitted to the area of the home."""
 
 _NUMBER = re.compile(r"\b(\d{1,3}|" + "|".join(word for word, n in NUMBERS.items() if 1 < n < 100) + r")\b")
@@ -29,7 +33,7 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
     for room in rooms:
         least, usual, most = room_type(room.type).area
         told = next((one.area for one in room.named if one.area is not None), None)
-        size = next((one.size for one in reversed(room.named) if one.size is not None), None)
+        size = _size(room)
         people = _people(room)
         if told is not None:
             low, high = told
@@ -46,12 +50,39 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
         usual = round(usual * (size or 1.0) * reading.scale, 1)
         if usual != room_type(room.type).area[1]:
             room.area = (round(usual * SPREAD[0], 1), usual, round(max(usual * SPREAD[1], usual + 1), 1))
+            room.area = _as_said(room, size, room.area)
         else:
             room.area = (least, usual, most)
         free.append(room)
     if reading.area is None:
         return []
     return _fitted(reading, rooms, free)
+
+
+def balanced(programme: Programme, told: Collection[str]) -> Programme:
+    """A programme of several storeys whose rooms fill each of them: all storeys have the outline of the largest.
+
+    Args:
+        programme: as it was asked for.
+        told: ids of rooms whose area was said, which keep it.
+    """
+    if programme.storeys == 1:
+        return programme
+    placed = {room.id: room.storey for room in programme.with_storeys().rooms}
+    floors = [
+        sum(r.area[1] for r in programme.rooms if placed[r.id] == s and "outdoor" not in r.kind.roles)
+        for s in range(programme.storeys)
+    ]
+    rooms: list[RoomSpec] = []
+    for room in programme.rooms:
+        factor = max(floors) / max(floors[placed[room.id] or 0], 1.0)
+        if room.id in told or factor < 1.0 + EXACT or "outdoor" in room.kind.roles:
+            rooms.append(room)
+            continue
+        least, target, most = room.area
+        new = round(min(target * factor, max(2 * room.kind.area[2], target)), 1)
+        rooms.append(room.model_copy(update={"area": (least, new, round(max(most, new * SPREAD[1]), 1))}))
+    return programme.model_copy(update={"rooms": tuple(rooms)})
 
 
 def _people(room: Room) -> int | None:
@@ -62,6 +93,23 @@ def _people(room: Room) -> int | None:
             if found is not None and re.match(r"(for|of|seats|seating|where)\b", words):
                 return int(found[1]) if found[1].isdigit() else NUMBERS[found[1]]
     return None
+
+
+def _size(room: Room) -> float | None:
+    """The factor of the word for its size that is said last."""
+    return next((one.size for one in reversed(room.named) if one.size is not None), None)
+
+
+def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A big room is above its usual floor, a small one below, also where the home has much or little of it."""
+    usual = room_type(room.type).area[1]
+    least, target, most = area
+    if size is not None and size > 1.0:
+        least = round(usual * CLEARLY, 1)
+    elif size is not None and size < 1.0:
+        most = round(usual / CLEARLY, 1)
+    target = min(max(target, least), max(most, least))
+    return min(least, most), round(min(target, max(most, least)), 1), max(most, least)
 
 
 def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
@@ -85,6 +133,7 @@ def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
             new,
             round(max(new * SPREAD[1], new + 1), 1),
         )
+        room.area = _as_said(room, _size(room), room.area)
     total = fixed + sum(room.area[1] for room in open_ if room.area)
     if abs(total - asked) > 0.06 * asked:
         return [f"{asked:g} m2 do not fit {len(indoors)} rooms of usual size: they have {total:.0f} m2 together"]

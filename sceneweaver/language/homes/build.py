@@ -23,7 +23,7 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     least = 1 + max([level[s] for s in told if s in level], default=0)
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
-    if asked is None and any(s == "ground" for s in told) and reading.use.plan == "house":
+    if asked is None and (reading.share_ground or "ground" in told) and reading.use.plan == "house":
         upper = True
     count = max(asked or 1, least, 2 if upper and not reading.one_storey else 1)
     if (
@@ -112,9 +112,14 @@ def joined(
         for a, b in pairs:
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
-                hard = joint.kind in ("door", "open") and joint.hard
+                hard = joint.kind in ("door", "open") and joint.hard and _may_join(a, b, rooms)
                 found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
     return list(found.values()), asked
+
+
+def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
+    """Whether a door between two rooms may be the way to one of them; else it is one door more than they need."""
+    return any(room_type(room.type).transit != "none" for room in rooms if room.id in (a, b))
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:
@@ -164,6 +169,7 @@ def programme_of(
             id=room.id,
             type=room.type,
             area=room.area or room_type(room.type).area,
+            side=next((one.side for one in room.named if one.side is not None), None),
             storey=placed.get(room.id),
             daylight=daylight.get(room.id),
         )

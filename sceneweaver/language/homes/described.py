@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sceneweaver.language.vocabulary import vocabulary
 
+from .lexicon import activities
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -67,6 +68,10 @@ def read_before(reading: Reading, found: Named) -> None:
             if not (token.text.endswith(("'s", "s'")) or token.text in ("guest", "staff")):
                 break
             found.definite = found.definite or not found.told
+        elif token.text.endswith("'s") and not token.kinds:
+            found.definite = found.definite or not found.told
+        elif token.text in activities() and k == found.at - 1:
+            pass
         elif is_look(token) and strange < 3:
             found.looks.insert(0, token.text)
             strange += 1

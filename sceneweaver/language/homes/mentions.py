@@ -11,9 +11,12 @@ from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.plans import room_types as plan_types
 
 from .described import read_before, read_behind
-from .lexicon import RoomKind, data, plain, room_kinds
+from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
 from .tokens import Token
+
+MANY = 5
+"""People from which on a room of an office is one for a team."""
 
 _BEDS = ("bed", "beds", "bd", "br", "bhk", "bedroomed", "bedder")
 _LISTED = (
@@ -65,6 +68,8 @@ def read_mentions(reading: Reading) -> None:
         kind = _kind(reading, at)
         if kind is not None:
             reading.named.append(_named(reading, at, kind))
+        elif token.text == "one" and (other := _another(reading, at)) is not None:
+            reading.named.append(other)
         elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
     _en_suites(reading)
@@ -92,7 +97,7 @@ def _total(reading: Reading, at: int) -> Named | None:
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     glued = tokens[at - 1].glued
     leads = after is not None and (
-        after.has("use") or after.get("number") is not None or after.text in ("place", "unit")
+        after.has("use", "storey") or after.get("number") is not None or after.text in ("place", "unit")
     )
     behind = tokens[at + 2] if at + 2 < len(tokens) else None
     if (
@@ -116,6 +121,26 @@ def _total(reading: Reading, at: int) -> Named | None:
     if rooms:
         reading.notes.append(f"{int(number)} rooms were counted as a living room and {count} to sleep in")
     return Named(room_kinds()["bedroom"], at, at - 1, at, span, count, "total")
+
+
+def _another(reading: Reading, at: int) -> Named | None:
+    """ "Two small meeting rooms, a large one": one more of the kind."""
+    tokens = reading.tokens
+    last = reading.named[-1] if reading.named else None
+    if (
+        last is None
+        or at < 2
+        or not tokens[at - 1].has("size", "own")
+        or tokens[at - 2].text not in ("a", "an", "another")
+    ):
+        return None
+    found = Named(
+        last.kind, at, at - 2, at, _over(tokens[at - 2], tokens[at]), 1, "number", noun=last.noun, said=last.said
+    )
+    found.size = tokens[at - 1].get("size")
+    for k in range(at - 2, at + 1):
+        reading.did(k, "rooms")
+    return found
 
 
 def _sleeper(reading: Reading, at: int) -> Named | None:
@@ -166,6 +191,8 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
+    if single == "room" and (done := _by_activity(reading, at)) is not None:
+        return done
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
         if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
@@ -180,10 +207,35 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     return known_room(token.get("known_room"), single)
 
 
+def _by_activity(reading: Reading, at: int) -> RoomKind | None:
+    """A room by what is done in it: "one big room for cooking, eating and sitting", "a homework room"."""
+    tokens = reading.tokens
+    if at and tokens[at - 1].text in activities():
+        return room_kinds()[activities()[tokens[at - 1].text]]
+    if at + 2 >= len(tokens) or tokens[at + 1].text not in ("for", "to", "where"):
+        return None
+    if reading.use.plan == "office" and reading.use.name != "school" and (tokens[at + 2].number or 0) >= MANY:
+        return room_kinds()["open_office"]
+    found: list[str] = []
+    for k in range(at + 2, min(at + 12, len(tokens))):
+        if tokens[k].text in activities():
+            found.append(activities()[tokens[k].text])
+            reading.did(k, "rooms")
+        elif not (tokens[k].text in (",", "and", "or", "&") or tokens[k].has("function", "we", "me")):
+            break
+    if not found:
+        return None
+    if "kitchen" in found and len(found) > 1:
+        return room_kinds()["living_kitchen"]
+    return room_kinds()["living_dining" if {"dining_room", "living_room"} <= {*found} else found[0]]
+
+
 def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
+    if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
+        return False
     if single == "room":
         own = before is not None and before.has("own")
         told = before is not None and (

@@ -141,6 +141,8 @@ def _count_of(reading: Reading, one: Named) -> int:
 def _make(reading: Reading, rooms: list[Room], one: Named, count: int) -> None:
     if count < 0:
         count = max(1, _bedrooms_left(reading, rooms, one))
+        if one.said.split()[:1] in (["double"], ["twin"]):
+            count = (count + 1) // 2
     for _ in range(min(count, 60 - len(rooms))):
         room = Room(new_id(rooms, one.kind.name), one.kind)
         rooms.append(room)

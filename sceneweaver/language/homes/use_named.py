@@ -216,7 +216,7 @@ def _roles() -> frozenset[str]:
 def use_by_rooms(kinds: Sequence[str], storeys: int) -> Use:
     """The use that rooms tell, where none is named: where people sleep or cook they live."""
     types = {room_kinds()[kind].type if kind in room_kinds() else kind for kind in kinds}
-    if types & {"examination_room", "doctors_office", "treatment_room", "waiting_room", "operating_theatre"}:
+    if types & {"examination_room", "doctors_office", "treatment_room", "waiting_room", "operating_theatre", "ward"}:
         return uses()["clinic"]
     if types & {"classroom"}:
         return uses()["school"]
