@@ -171,7 +171,11 @@ class Profile(FrozenModel):
     @classmethod
     def of(cls, profile: Profile | str) -> Profile:
         """``profile`` itself, or the one of that name."""
-        return profile if isinstance(profile, Profile) else cls.named(profile)
+        if isinstance(profile, Profile):
+            return profile
+        if not isinstance(profile, str):
+            raise InputError(f"profile is of type {type(profile).__name__}; give a Profile or a name")
+        return cls.named(profile)
 
     def rule(self, rule_id: str) -> Rule:
         """The row of this id; InputError where there is none."""

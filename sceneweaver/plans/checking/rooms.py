@@ -37,7 +37,7 @@ def side(plan: PlanFacts, rule: Rule) -> Iterable[Reading]:
 
 def clear_side(room: RoomFacts) -> int:
     """The widest shorter side of a rectangle along the axes that has half of the floor, or as much as any has [mm]."""
-    rectangles = room.region.largest_rectangles()
+    rectangles = room.rectangles
     if not rectangles:
         return 0
     enough = min(room.region.area / 2, max(w * d for w, d in rectangles))
