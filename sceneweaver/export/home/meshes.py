@@ -25,7 +25,6 @@ from .structure import RAILING, StoreyPlan, deck, stair_steps
 _OUTSIDE = replace(PAINT, name="outer wall")
 _RAILING = Material("railing", (0.3, 0.31, 0.32), roughness=0.4, metallic=0.6)
 _TREAD = Material("tread", (0.62, 0.46, 0.31), roughness=0.5, texture="oak")
-_DECK = Material("concrete", (0.69, 0.685, 0.67), roughness=0.8)
 _AHEAD = 0.02  # [m] before a face of a wall is the room that sees it
 _APART = 1e-3  # [m] between a deck and the ceilings below it
 
@@ -54,7 +53,7 @@ def structure_parts(home: Home, plans: list[StoreyPlan], names: HomeNames) -> li
             floor, low = deck(plan, plans[k - 1])
             solid = extruded(floor, low + _APART, plan.low - FLOOR_THICKNESS)
             if solid.num_tri():
-                found.append(Part(f"{names.home}:floor:{storey}", "floor", _of(solid, _DECK)))
+                found.append(Part(f"{names.home}:floor:{storey}", "floor", _of(solid, _OUTSIDE)))
         for room, rail in plan.railings().items():
             made = _of(extruded(rail, plan.low, plan.low + RAILING[1]), _RAILING)
             found.append(Part(f"{names.home}:railing:{room}", "railing", made, room))
