@@ -55,7 +55,7 @@ class Probe:
             ceiling: Whether the room has one.
             doors: Whether doors are shut; else one looks through.
         """
-        pieces = [_object_mesh(thing) if thing.id not in hidden else _EMPTY for thing in scene.objects]
+        pieces = [object_mesh(thing) if thing.id not in hidden else _EMPTY for thing in scene.objects]
         ids = [np.full(len(faces), k) for k, (_, faces) in enumerate(pieces)]
         shell = [(piece, number) for piece, number in _shell(scene.room, cut, ceiling) if doors or number != DOOR]
         pieces += [piece for piece, _ in shell]
@@ -115,7 +115,8 @@ def box_share(camera: Camera, thing: SceneObject) -> float:
 _EMPTY = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int32))
 
 
-def _object_mesh(thing: SceneObject) -> tuple[np.ndarray, np.ndarray]:
+def object_mesh(thing: SceneObject) -> tuple[np.ndarray, np.ndarray]:
+    """A thing as its collision prisms: points [V, 3] in the world [m] and faces [F, 3]."""
     mesh = parts_mesh(thing.solids, plain_material(thing))
     return mesh.vertices @ matrix(thing.pose.quaternion).T + np.asarray(thing.pose.position), mesh.faces
 

@@ -56,32 +56,55 @@ def view_html(data: ReportData) -> str:
 
 def _document(data: ReportData, packed: Packed, context: dict[str, Any]) -> str:
     """The whole text, with style, script, and what the view shows."""
-    script = _script()
-    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     items = {"request": request.phrase_items(data), "seen": request.fault_items(data)}
-    return _template().render(
+    return rendered(
+        "page.html",
+        {**packed.data, **items},
+        packed.meshes,
         data=data,
         scene=data.scene,
         title=data.title or data.scene.id,
         # The picture under the canvas shows until the view runs.
         still=next((data.pictures[n] for n in ("corner", "top", "top_annotated") if n in data.pictures), None),
+        **context,
+    )
+
+
+def rendered(template: str, shown: dict[str, Any], meshes: str, style: str = "", **context: Any) -> str:
+    """A page with a 3D view as one text.
+
+    Args:
+        template: Name of the template in the folder ``web``.
+        shown: What the view shows, for JSON.
+        meshes: Its meshes, packed.
+        style: Style sheet of that folder on top of the common one.
+        context: All else that the template asks for.
+    """
+    script = _script()
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    return _templates().get_template(template).render(
         policy=f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:; "
         "base-uri 'none'; form-action 'none'",
-        style=_text("style.css"),
-        facts_json=json_block("scene-data", {**packed.data, **items}),
-        meshes=packed.meshes,
+        style=_text("style.css") + (_text(style) if style else ""),
+        facts_json=json_block("scene-data", shown),
+        meshes=meshes,
         script=script,
         **context,
     )
 
 
 @cache
-def _template() -> jinja2.Template:
-    """The page; all that it shows is escaped unless it is said to be safe."""
-    env = jinja2.Environment(autoescape=True, finalize=clean, undefined=jinja2.ChainableUndefined)
+def _templates() -> jinja2.Environment:
+    """The templates; all that they show is escaped unless it is said to be safe."""
+
+    def source(name: str) -> str:
+        return "".join(line.strip() for line in _text(name).splitlines())
+
+    loader = jinja2.FunctionLoader(source)
+    env = jinja2.Environment(loader=loader, autoescape=True, finalize=clean, undefined=jinja2.ChainableUndefined)
     env.filters |= {"words": lambda text: text.replace("_", " "), "picture": picture_url, "number": number}
     env.filters["count"] = counted
-    return env.from_string("".join(line.strip() for line in _text("page.html").splitlines()))
+    return env
 
 
 @cache

@@ -45,7 +45,7 @@ class Packed:
 
 
 @dataclass
-class _Pack:
+class Store:
     """Meshes and materials as they are collected, each once."""
 
     meshes: list[dict[str, Any]] = field(default_factory=list)
@@ -100,23 +100,51 @@ class _Pack:
 
 def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load: Load | None = None) -> Packed:
     """Pack a scene; objects whose asset cannot be loaded are shown as their parts."""
-    store = _Pack()
+    store = Store()
+    items = room_items(store, scene.room)
+    found, notes = object_items(store, scene, load)
+    data = {
+        "room": room_box(scene.room),
+        "walls": room_walls(scene.room),
+        **stored(store),
+        "items": [*items, *found],
+        "objects": object_facts(scene, rows, faults),
+        "yaw": best_side(scene),
+    }
+    return Packed(data, packed_meshes(store), notes)
+
+
+def room_items(store: Store, room: Room, key: str = "") -> list[dict[str, Any]]:
+    """Floor, walls, doors and windows of a room; ``key`` tells those of several rooms apart."""
     items: list[dict[str, Any]] = []
-    for name, mesh in room_meshes(scene.room).items():
+    for name, mesh in room_meshes(room).items():
         kind, wall = ("floor", None) if name == "room:floor" else ("wall", int(name.rpartition(":")[2]))
-        items.append({"id": None, "kind": kind, "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
-    for wall, name, mesh in opening_meshes(scene.room):
-        items.append({"id": None, "kind": "opening", "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
-    for wall, leaf, mesh in door_leaves(scene.room):
-        item = {"id": leaf.door, "kind": "leaf", "wall": wall, "mesh": store.add(f"\0{leaf.name}", mesh), **_FLAT}
+        items.append({"id": None, "kind": kind, "wall": wall, "mesh": store.add(f"\0{key}{name}", mesh), **_FLAT})
+    for wall, name, mesh in opening_meshes(room):
+        items.append({"id": None, "kind": "opening", "wall": wall, "mesh": store.add(f"\0{key}{name}", mesh), **_FLAT})
+    for wall, leaf, mesh in door_leaves(room):
+        item = {"id": leaf.door, "kind": "leaf", "wall": wall, "mesh": store.add(f"\0{key}{leaf.name}", mesh), **_FLAT}
         moves = {"name": leaf.door, "kind": leaf.joint, "axis": leaf.axis, "anchor": (0.0, 0.0, 0.0)}
         place = {"position": leaf.position, "quaternion": from_yaw(leaf.yaw)}
         items.append({**item, **place, "joint": {**moves, "limits": leaf.limits}})
+    return items
+
+
+def solid_item(store: Store, key: str, mesh: Mesh, kind: str, wall: int | None = None) -> dict[str, Any]:
+    """A part of a building that stands still, in the world's frame."""
+    return {"id": None, "kind": kind, "wall": wall, "mesh": store.add(f"\0{key}", mesh), **_FLAT}
+
+
+def object_items(
+    store: Store, scene: Scene, load: Load | None, prefix: str = ""
+) -> tuple[list[dict[str, Any]], tuple[str, ...]]:
+    """The objects of a scene, their ids after a prefix, and what had to be done without."""
+    items: list[dict[str, Any]] = []
     bodies = bodies_of(scene, load, missing="parts")
     for body in bodies:
         thing = body.object
         item = {
-            "id": thing.id,
+            "id": prefix + thing.id,
             "kind": "object",
             "wall": _wall_of(scene.room, thing),
             "position": list(thing.pose.position),
@@ -130,24 +158,33 @@ def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load
             joint = {"name": part.name, "kind": part.kind, "axis": part.axis, "anchor": part.anchor}
             mesh = store.add(f"{body.key}.{part.number}", part.mesh)
             items.append({**item, "mesh": mesh, "joint": {**joint, "limits": part.limits}})
-    outline = np.asarray(scene.room.outline)
-    data = {
-        "room": {
-            "low": outline.min(axis=0).tolist(),
-            "high": outline.max(axis=0).tolist(),
-            "height": scene.room.height,
-        },
-        "walls": [_wall(scene.room, k) for k in range(len(scene.room.outline))],
+    return items, tuple(b.note for b in bodies if b.note)
+
+
+def room_box(room: Room) -> dict[str, Any]:
+    """What a room fills, for the camera."""
+    outline = np.asarray(room.outline)
+    return {"low": outline.min(axis=0).tolist(), "high": outline.max(axis=0).tolist(), "height": room.height}
+
+
+def room_walls(room: Room) -> list[dict[str, Any]]:
+    """The walls of a room, that sink where they stand before the camera."""
+    return [{"point": list(wall.start), "outward": list(wall.outward)} for wall in room.walls]
+
+
+def stored(store: Store) -> dict[str, Any]:
+    """Materials, textures and meshes of a store, for JSON."""
+    return {
         "materials": [_material(m, store.texture(m)) for m in store.materials],
         "textures": [_texture(name) for name in store.textures],
         "pixels": _PIXELS,
         "meshes": store.meshes,
-        "items": items,
-        "objects": object_facts(scene, rows, faults),
-        "yaw": _best_side(scene),
     }
-    text = base64.b64encode(zlib.compress(bytes(store.data), 9)).decode()
-    return Packed(data, text, tuple(b.note for b in bodies if b.note))
+
+
+def packed_meshes(store: Store) -> str:
+    """All meshes of a store as base64 of one deflated block."""
+    return base64.b64encode(zlib.compress(bytes(store.data), 9)).decode()
 
 
 def _texture(name: str) -> dict[str, Any]:
@@ -172,16 +209,12 @@ def _material(m: Material, texture: int) -> dict[str, Any]:
     }
 
 
-def _wall(room: Room, wall: int) -> dict[str, Any]:
-    return {"point": list(room.walls[wall].start), "outward": list(room.walls[wall].outward)}
-
-
 def _wall_of(room: Room, thing: SceneObject) -> int | None:
     """The wall that a wall-mounted object hangs on."""
     return wall_behind(room.walls, thing.pose.position, thing.pose.frame.axis) if thing.mount == "wall" else None
 
 
-def _best_side(scene: Scene) -> float:
+def best_side(scene: Scene) -> float:
     """The yaw [rad] of the camera around the room's middle that shows most fronts and has least behind tall things."""
     x0, y0 = np.mean(np.asarray(scene.room.outline), axis=0)
     best = (-math.inf, 0.0)

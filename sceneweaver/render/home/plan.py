@@ -10,6 +10,7 @@ import shapely
 from PIL import Image
 
 from sceneweaver.home import Home, HomeDoor, HomeRoom, wall_openings, wall_polygons
+from sceneweaver.home.treads import treads
 from sceneweaver.scene import InputError
 
 from .. import palette, plan_objects
@@ -18,7 +19,6 @@ from ..shapes import Bounds, Plan, View
 from ..svg import SvgPlan
 from ..topview import MAX_WIDTH, MIN_WIDTH, printable
 from . import plan_dimensions, plan_frame, plan_names, plan_stairs, plan_walls
-from .stair_steps import stair_steps
 
 MM = 0.16
 """What a unit of the drawing is on paper [mm]: lines of 0.15 to 0.3 mm, names of 3 mm."""
@@ -215,7 +215,7 @@ def _obstacles(home: Home, room: HomeRoom, items: list[Item]) -> Iterator[list[t
             yield from plan_walls.swept(home, found)
     for stair in home.stairs:
         if room.id in (stair.lower, stair.upper):
-            for step in stair_steps(stair).steps:
+            for step in treads(stair):
                 yield [(float(x), float(y)) for x, y in step.plan]
 
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from sceneweaver.home import Home, Stair
+from sceneweaver.home.treads import Tread, treads
 
 from ..canvas import Point, Text
 from ..shapes import Plan
 from .plan_walls import LINE, POCHE, draw_head
-from .stair_steps import StairSteps, stair_steps
 
 _CUT = 1.2
 """Height [m] at which a plan cuts a storey."""
@@ -30,31 +32,50 @@ def draw_stairs(plan: Plan, home: Home, storey: str) -> None:
 
 def _draw_flights(plan: Plan, stair: Stair, cut: float) -> None:
     """A stair of which steps up to the number ``cut`` are seen and the others dashed."""
-    found = stair_steps(stair)
-    for step in found.steps:
+    steps = treads(stair)
+    for step in steps:
         points = plan.points((float(x), float(y)) for x, y in step.plan)
-        if step.level <= cut:
+        if step.number <= cut:
             plan.polygon(points, _TREAD, LINE, 0.9)
-    for step in found.steps:
-        if step.level > cut:
+    for step in steps:
+        if step.number > cut:
             points = plan.points((float(x), float(y)) for x, y in step.plan)
             plan.dashed(points, (*LINE, 140), 0.8, (4.0, 3.0), closed=True)
-    line = plan.points((float(x), float(y)) for x, y in found.line)
+    line = plan.points(_walked(stair, steps))
     if math.isinf(cut):
         _draw_arrow(plan, line[::-1], "DN")
         return
-    _draw_break(plan, found, cut)
+    _draw_break(plan, steps, cut)
     _draw_arrow(plan, line, "UP")
 
 
-def _draw_break(plan: Plan, found: StairSteps, cut: float) -> None:
+def _walked(stair: Stair, steps: Sequence[Tread]) -> list[tuple[float, float]]:
+    """The line along which a stair is walked up [m]: in the middle of its flights, square over its landings."""
+    up = np.asarray(stair.up, dtype=float)
+    left = np.array([-up[1], up[0]])
+    middles = [step.plan.mean(axis=0) for step in steps]
+    first = steps[0].plan @ up
+    line = [middles[0] + (first.min() - middles[0] @ up) * up]
+    for k, step in enumerate(steps):
+        if min(np.ptp(step.plan @ up), np.ptp(step.plan @ left)) > 1.5 * stair.going and 0 < k < len(steps) - 1:
+            line += [(middles[k] @ up) * up + (middles[other] @ left) * left for other in (k - 1, k + 1)]
+            if stair.shape == "l":
+                line.pop()
+    end = steps[-1].plan
+    way = middles[-1] - line[-1]
+    way = way / max(float(np.linalg.norm(way)), 1e-9)
+    line.append(middles[-1] + (float((end @ way).max()) - float(middles[-1] @ way)) * way)
+    return [(float(x), float(y)) for x, y in line]
+
+
+def _draw_break(plan: Plan, steps: Sequence[Tread], cut: float) -> None:
     """Two slanting lines across the step at which the flight is cut."""
-    at = next((step for step in found.steps if step.level > cut), None)
+    at = next((step for step in steps if step.number > cut), None)
     if at is None:
         return
     # Across the step, slanting from its near to its far edge; the walk goes across, so along its first side or not.
     corners = plan.points((float(x), float(y)) for x, y in at.plan)
-    before = found.steps[max(0, at.level - 2)].plan.mean(axis=0)
+    before = steps[max(0, at.number - 2)].plan.mean(axis=0)
     way = at.plan.mean(axis=0) - before
     side = at.plan[1] - at.plan[0]
     along = abs(float(way @ side)) > abs(float(way @ (at.plan[3] - at.plan[0])))

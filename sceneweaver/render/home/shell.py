@@ -11,14 +11,14 @@ import shapely
 
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.walls import walls_of
-from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, WallOpening, wall_openings, wall_polygons
-from sceneweaver.scene import Door, Room, Scene, Window
+from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, wall_openings, wall_polygons
+from sceneweaver.home.treads import treads
+from sceneweaver.scene import Room, Scene, Window
 
 from ..blocks import Builder, Finishes, Range, wall_block
 from ..interior.build import has_panelled_doors
 from ..openings import add_frame, add_leaf, add_window, leaf_span
 from ..shell import add_facing, add_wall_finish, floor_mesh
-from .stair_steps import stair_steps
 
 OPEN = 1.48
 """How far leaves stand open in a walk [rad]."""
@@ -50,9 +50,7 @@ def indoors(home: Home, storey: str) -> list[HomeRoom]:
 
 def is_glazed(home: Home, door: HomeDoor) -> bool:
     """Whether a door is of glass: one that slides, to the outside."""
-    return door.kind == "sliding" and (
-        door.to is None or home.room(door.to).outdoor or home.room(door.room).outdoor
-    )
+    return door.kind == "sliding" and (door.to is None or home.room(door.to).outdoor or home.room(door.room).outdoor)
 
 
 def glass_of(home: Home, room: HomeRoom) -> list[Window]:
@@ -161,7 +159,11 @@ def ceiling_mesh(home: Home, room: HomeRoom, look: Finishes) -> Mesh | None:
 
 
 def doors_of(
-    home: Home, storey: str, looks: Mapping[str, Finishes], ajar: Callable[[HomeDoor], float | None], top: float = np.inf
+    home: Home,
+    storey: str,
+    looks: Mapping[str, Finishes],
+    ajar: Callable[[HomeDoor], float | None],
+    top: float = np.inf,
 ) -> Iterator[tuple[str, Mesh]]:
     """The doors of a storey by id, with their frames.
 
@@ -242,8 +244,8 @@ def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
         if storey == upper.id:
             hole = shapely.Polygon(stair.outline)
             extrude(builder, hole.buffer(0.02, join_style="mitre").difference(hole), (base, -0.06), _RISER, _RISER)
-        for step in stair_steps(stair).steps:
-            z = base + step.level * rise
+        for step in treads(stair):
+            z = base + step.number * rise
             if z > top:
                 break
             builder.prism(step.plan, (z - _TREAD, z), _OAK)
@@ -255,9 +257,15 @@ def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
 def ground_mesh(home: Home, storey: str, look: Material) -> Mesh | None:
     """An endless ground under the floor of a storey, with holes where stairs come up."""
     builder = Builder()
-    holes = [shapely.Polygon(s.outline) for s in home.stairs if home.room(s.upper).storey == storey]
+    holes = [shapely.Polygon(s.outline).buffer(0.1) for s in home.stairs if home.room(s.upper).storey == storey]
     reach = 500.0
-    extrude(builder, shapely.box(-reach, -reach, reach, reach).difference(shapely.union_all(holes)), (-9.0, -0.051), look, look)
+    extrude(
+        builder,
+        shapely.box(-reach, -reach, reach, reach).difference(shapely.union_all(holes)),
+        (-9.0, -0.051),
+        look,
+        look,
+    )
     return builder.mesh()
 
 
@@ -298,9 +306,11 @@ def around(home: Home, storey: str) -> Room:
     """The building of a storey as one room, with a window wherever something is of glass: what `outside_mesh` asks."""
     rooms = indoors(home, storey)
     whole = shapely.union_all([*wall_polygons(home, storey), *(shapely.Polygon(r.outline) for r in rooms)])
-    largest = max(shapely.get_parts(whole.buffer(1e-3, join_style="mitre")), key=lambda part: part.area)
-    ring = shapely.geometry.polygon.orient(shapely.Polygon(largest.exterior).simplify(0.005)).exterior
-    outline = tuple((round(float(x), 3), round(float(y), 3)) for x, y in np.asarray(ring.coords)[:-1])
+    parts = [p for p in shapely.get_parts(whole.buffer(1e-3, join_style="mitre")) if isinstance(p, shapely.Polygon)]
+    ring = shapely.get_exterior_ring(shapely.Polygon(max(parts, key=lambda part: part.area).exterior).simplify(0.005))
+    ring = shapely.LinearRing(shapely.get_coordinates(ring))
+    corners = np.asarray(ring.coords)[:: 1 if ring.is_ccw else -1][:-1]
+    outline = tuple((round(float(x), 3), round(float(y), 3)) for x, y in corners)
     walls, seen = walls_of(outline), {}
     for room in rooms:
         for window in glass_of(home, room):
@@ -309,11 +319,11 @@ def around(home: Home, storey: str) -> Room:
             near = [w for w in walls if w.outward[0] * wall.outward[0] + w.outward[1] * wall.outward[1] > 0.9]
             if near:
                 best = min(near, key=lambda w: abs(w.coordinates((x, y))[1]))
-                seen.setdefault(best.index, Window(id=window.id, wall=best.index, offset=0.0, width=0.1, sill=1, height=1))
+                seen.setdefault(
+                    best.index, Window(id=window.id, wall=best.index, offset=0.0, width=0.1, sill=1, height=1)
+                )
     light = next((r.scene.room.light for r in rooms if r.scene is not None and r.scene.room.light), None)
     height = home.storey(storey).height
     return Room.model_construct(
         type="home", outline=outline, height=height, doors=(), windows=tuple(seen.values()), finish=None, light=light
     )
-
-

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+import shapely
 from PIL import Image
 
 from sceneweaver.assets import Asset
@@ -20,11 +21,16 @@ from ..camera import Camera
 from ..instances import Instance, instances_of
 from ..interior.build import fittings_of, trim_of
 from ..interior.outside import outside_mesh
+from ..probe import object_mesh
 from ..tracing import Lights, Quality, Tracer, interior_lights
 from ..tracing.lights import portals_of
+from ..tracing.rays import Triangles
 from ..viewpoints import walk_camera
 from . import shell
-from .plan_names import room_titles
+
+_LOOK = (480, 360)  # pixels of the look that says what of other rooms is seen
+_LEAST_SEEN = 40  # of these, from which on a room counts as seen
+_CELL = 0.15  # side of the cells in which light is gathered [m]
 
 
 @dataclass(frozen=True)
@@ -35,6 +41,12 @@ class Stop:
     room: str
     door: str | None = None
     before: str | None = None
+
+    def caption(self, titles: Mapping[str, str]) -> str:
+        """What its picture shows, in words by the titles of rooms: "Kitchen, from the hall"."""
+        if self.before is not None:
+            return f"{titles[self.room]}, from the {titles[self.before].lower()}"
+        return f"{titles[self.room]}, from the entrance" if self.door is not None else titles[self.room]
 
 
 def walk_order(home: Home) -> list[Stop]:
@@ -76,12 +88,6 @@ class Walk:
     def _looks(self) -> dict[str, Finishes]:
         return {room.id: finishes_of(shell.scene_of(self.home, room)) for room in self.home.rooms}
 
-    def caption(self, number: int) -> str:
-        """What a view shows, in words: "Kitchen, from the hall"."""
-        stop, titles = self.stops[number], room_titles(self.home)
-        origin = f"from the {titles[stop.before].lower()}" if stop.before else "from the entrance" if stop.door else ""
-        return f"{titles[stop.room]}, {origin}" if origin else titles[stop.room]
-
     def camera(self, number: int) -> Camera:
         """From where a stop looks."""
         stop = self.stops[number]
@@ -92,9 +98,15 @@ class Walk:
         """The view of a stop, in any size of the aspect."""
         room, camera = self.home.room(self.stops[number].room), self.camera(number)
         near = self._near(room, camera)
-        instances = [Instance(mesh, np.eye(4)) for mesh in self._meshes(room, near, camera)]
+        building = list(self._building(room, near, camera))
+        seen = _seen(near, building, camera)
+        near = [one for one in near if one.id in seen or one is room]
+        meshes = [*building, *self._trim(near)]
+        instances = [Instance(mesh, np.eye(4)) for mesh in meshes]
         for one in near:
-            instances += instances_of(one.scene, self._load) if one.scene is not None else []
+            if one.scene is not None:
+                shown = tuple(o for o in one.scene.objects if one is room or o.id in seen[one.id])
+                instances += instances_of(one.scene.model_copy(update={"objects": shown}), self._load)
         outside = self._world(room.storey)
         if outside is not None:
             place = np.eye(4)
@@ -132,7 +144,8 @@ class Walk:
         own = next(d for d in shape.doors if d.id == door.id)
         return shape.walls[own.wall], (own.offset, own.width)
 
-    def _meshes(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
+    def _building(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
+        """Walls, floors, doors, windows, stairs and ceilings; doors between the rooms that may be seen stand open."""
         home, storey, looks = self.home, room.storey, self._looks
         here = {one.id for one in near}
 
@@ -150,14 +163,17 @@ class Walk:
         found += [mesh for _, mesh in shell.doors_of(home, storey, of_storey, ajar)]
         found += [mesh for _, mesh in shell.windows_of(home, storey, of_storey)]
         found += [shell.stairs_mesh(home, storey), shell.railings_mesh(home, storey)]
-        for one in near:
-            if one.outdoor:
-                continue
-            scene = shell.scene_of(home, one)
-            found.append(shell.ceiling_mesh(home, one, looks[one.id]))
-            parts = [*trim_of(scene, looks[one.id]), fittings_of(scene, looks[one.id])]
-            found += [part.mesh for part in parts if part is not None]
+        found += [shell.ceiling_mesh(home, one, looks[one.id]) for one in near if not one.outdoor]
         return (mesh for mesh in found if mesh is not None)
+
+    def _trim(self, near: list[HomeRoom]) -> Iterator[Mesh]:
+        """Skirting boards, coving, sockets and so on of some rooms."""
+        for one in near:
+            if not one.outdoor:
+                scene, look = shell.scene_of(self.home, one), self._looks[one.id]
+                for part in (*trim_of(scene, look), fittings_of(scene, look)):
+                    if part is not None:
+                        yield part.mesh
 
     def _world(self, storey: str) -> Mesh | None:
         if storey not in self._outside:
@@ -174,7 +190,7 @@ class Walk:
         reach = 2 * self.home.walls.inner
         (x0, y0), (x1, y1) = points.min(axis=0) - reach, points.max(axis=0) + reach
         box = ((float(x0), float(y0), -0.3), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
-        return replace(light, portals=tuple(p for scene in lit for p in portals_of(scene.room)), room=box)
+        return replace(light, portals=tuple(p for scene in lit for p in portals_of(scene.room)), room=box, cell=_CELL)
 
     def _with_glass(self, room: HomeRoom) -> Scene:
         scene = shell.scene_of(self.home, room)
@@ -182,9 +198,34 @@ class Walk:
         return scene.model_copy(update={"room": scene.room.model_copy(update={"windows": windows})})
 
 
+def _seen(rooms: list[HomeRoom], building: list[Mesh], camera: Camera) -> dict[str, set[str]]:
+    """Of each room of which something is seen, the ids of the objects that are."""
+    pieces = [(mesh.vertices, mesh.faces) for mesh in building]
+    owners: list[tuple[str, str] | None] = [None] * len(pieces)
+    for room in rooms:
+        for thing in room.scene.objects if room.scene is not None else ():
+            pieces.append(object_mesh(thing))
+            owners.append((room.id, thing.id))
+    starts = np.cumsum([0, *(len(points) for points, _ in pieces)])
+    faces = np.concatenate([own + start for (_, own), start in zip(pieces, starts, strict=False)])
+    piece = np.repeat(np.arange(len(pieces)), [len(own) for _, own in pieces])
+    width, height = _LOOK
+    hits = Triangles(np.concatenate([points for points, _ in pieces]), faces).first_hits([camera], width, height)
+    met, distance = hits.face[0], hits.distance[0]
+    points = (camera.origins(width, height) + camera.rays(width, height) * distance[..., None])[met >= 0]
+    found: dict[str, set[str]] = {}
+    for room in rooms:
+        inside = shapely.contains_xy(shapely.Polygon(room.outline).buffer(0.02), points[:, 0], points[:, 1])
+        if int(inside.sum()) >= _LEAST_SEEN:
+            found[room.id] = set()
+    for number in np.unique(piece[met[met >= 0]]).tolist():
+        owner = owners[number]
+        if owner is not None and owner[0] in found:
+            found[owner[0]].add(owner[1])
+    return found
+
+
 def is_near(wall: Wall, opening: tuple[float, float], camera: Camera) -> bool:
     """Whether a camera stands in an opening (offset, width) or close to it."""
     at, depth = wall.coordinates(camera.eye[:2])
     return opening[0] - 0.2 < at < opening[0] + opening[1] + 0.2 and abs(depth) < 0.8
-
-

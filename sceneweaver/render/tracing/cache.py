@@ -17,9 +17,6 @@ from .lights import Emitters, emitters
 from .rays import launch
 from .world import Geometry, linear_color
 
-CELL = 0.11
-"""Side [m] of a cell in rooms of usual size."""
-
 _MOST_CELLS = 6_000_000
 _POINTS = 6.0  # on each face of a cell
 _MOST_POINTS = 600_000
@@ -30,11 +27,15 @@ _BOUNCES = 12
 _PATCH = 1.2  # side [m] of the blocks whose sunlit cells make one lamp
 
 
-def build_cache(world: Any, lights: Any, geometry: Geometry, low: np.ndarray, high: np.ndarray) -> tuple[Any, Emitters]:
-    """The cache of everything between ``low`` and ``high`` [3], on the current device, and patches of sun as lamps."""
+def build_cache(
+    world: Any, lights: Any, geometry: Geometry, low: np.ndarray, high: np.ndarray, cell: float
+) -> tuple[Any, Emitters]:
+    """The cache of everything between ``low`` and ``high`` [3], on the current device, and patches of sun as lamps.
+
+    Cells have sides of ``cell`` [m], larger ones in a large box.
+    """
     cache = world_kernels.Cache()
     span = high - low
-    cell = CELL
     while np.prod(np.ceil(span / cell) + 1) * 6 > _MOST_CELLS:
         cell *= 1.25
     shape = (np.ceil(span / cell) + 1).astype(int)

@@ -50,7 +50,8 @@ class Lights:
     angles. ``view`` is how bright the world outside looks at most beside the light that it gives. ``lamp_color`` is
     that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out. ``level`` is how bright the
     picture is beside one that is exposed as usual, ``adapted`` the share of the colour of the light that an eye gets
-    used to. ``room`` is the box [m] that the room fills, lower and upper corner; None: all that is drawn.
+    used to. ``room`` is the box [m] that the room fills, lower and upper corner; None: all that is drawn. ``cell`` is
+    the side [m] of the cells in which light between surfaces is gathered.
     """
 
     sun: Color = (0.5, -0.35, 0.79)
@@ -68,6 +69,7 @@ class Lights:
     enclosed: bool = False
     portals: tuple[Portal, ...] = ()
     room: tuple[Color, Color] | None = None
+    cell: float = 0.11
 
     def __post_init__(self) -> None:
         _check_sun(self.sun)

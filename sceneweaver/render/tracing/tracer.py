@@ -131,7 +131,7 @@ class Tracer:
         with wp.ScopedDevice(device):
             shining = seen_of(self._world, geometry.emitters)
             lamps = lights_on(self._lights, shining, low, high)
-            self._cache, patches = build_cache(self._world, lamps, geometry, low, high)
+            self._cache, patches = build_cache(self._world, lamps, geometry, low, high, self._lights.cell)
             self._light = lights_on(self._lights, shining + patches, low, high)
 
     def picture(self, camera: Camera, width: int, height: int, quality: Quality | None = None) -> TracedPicture:

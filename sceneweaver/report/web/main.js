@@ -100,7 +100,8 @@ async function start() {
     if (moving || marked) {
       const view = orbit.matrix(canvas.width / canvas.height);
       const cut = new Set(renderer.items.filter((i) => i.kind === "object" && i.cut < NEVER_CUT).map((i) => i.id));
-      labels.draw(view, canvas.clientWidth, canvas.clientHeight, state.labels, state.shown, (id) => !cut.has(id));
+      const there = (id) => panel.here.has(id) && !cut.has(id);
+      labels.draw(view, canvas.clientWidth, canvas.clientHeight, state.labels, state.shown, there);
       marked = false;
     }
     stage.dataset.frames = String(renderer.gathered);
@@ -142,9 +143,33 @@ async function start() {
   });
   byId("button-top").addEventListener("click", () => { orbit.top(); changed(); });
   byId("button-reset").addEventListener("click", () => { orbit.reset(); select(null); changed(); });
+  // A page about several rooms shows one of them, or a storey, at a time.
+  const scopes = new Map((data.scopes || []).map((scope) => [scope.id, scope]));
+  const buttons = [...document.querySelectorAll("[data-scope]")];
+  const enter = (id) => {
+    const scope = scopes.get(id);
+    if (!scope) return;
+    select(null);
+    const items = scope.items.map((k) => renderer.all[k]);
+    renderer.show(scope.room, scope.walls, items);
+    orbit.show(scope.room, scope.yaw);
+    panel.only(new Set(items.filter((item) => item.kind === "object").map((item) => item.id)));
+    for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.scope === id));
+    doors.hidden = !renderer.moving().length;
+    doors.setAttribute("aria-pressed", "false");
+    byId("announce").textContent = `${scope.title} shown`;
+    changed();
+  };
+  for (const one of buttons) {
+    one.addEventListener("click", () => {
+      enter(one.dataset.scope);
+      byId("room").scrollIntoView({ block: "nearest", behavior: still ? "auto" : "smooth" });
+    });
+  }
   canvas.addEventListener("webglcontextlost", () => fail(new Error("the graphics driver gave up")));
   new ResizeObserver(resize).observe(canvas);
   stage.classList.add("running");
+  if (scopes.size) enter(data.scopes[0].id);
   resize();
   ask();
   return { orbit, renderer, project: (p) => transform(orbit.matrix(canvas.width / canvas.height), p) };

@@ -12,6 +12,15 @@ class Orbit {
     Object.assign(this, this.fit(this.home.yaw, this.home.pitch));
   }
 
+  // Circles another room, from its best side.
+  show(room, yaw) {
+    this.room = room;
+    this.home = { yaw, pitch: 0.62 };
+    this.goal = null;
+    this.moved = false;
+    Object.assign(this, this.fit(yaw, this.home.pitch));
+  }
+
   // The place from which the whole room is seen in a direction.
   fit(yaw, pitch) {
     const { low, high, height } = this.room;

@@ -34,14 +34,24 @@ class Panel {
       list.append(row);
       this.rows.set(id, button);
     }
-    const search = byId("object-search");
-    search.addEventListener("input", () => {
-      const word = search.value.trim().toLowerCase();
-      for (const [id, button] of this.rows) {
-        const text = `${id} ${data.objects[id].category}`.toLowerCase();
-        button.parentElement.hidden = !text.includes(word);
-      }
-    });
+    this.here = new Set(this.rows.keys());
+    this.search = byId("object-search");
+    this.search.addEventListener("input", () => this.filter());
+  }
+
+  // Lists these objects alone.
+  only(ids) {
+    this.here = ids;
+    document.querySelector(".objects .count").textContent = String(ids.size);
+    this.filter();
+  }
+
+  filter() {
+    const word = this.search.value.trim().toLowerCase();
+    for (const [id, button] of this.rows) {
+      const text = `${id} ${this.data.objects[id].category}`.toLowerCase();
+      button.parentElement.hidden = !this.here.has(id) || !text.includes(word);
+    }
   }
 
   show(id) {

@@ -25,7 +25,7 @@ class Renderer {
     this.gains = new Float32Array(2 * 64); // tint's gain, and whether there are normals
     textures.forEach((t, k) => this.gains.set([t.gain, t.normal ? 1 : 0], 2 * k));
     this.meshes = data.meshes.map((mesh) => this.upload(decodeMesh(buffer, mesh, data.materials)));
-    this.items = data.items.map((item) => {
+    this.all = data.items.map((item) => {
       const mesh = this.meshes[item.mesh];
       // A rug of half a millimetre would flicker in and out of the floor, so such things are shown thicker.
       const thick = mesh.high[2] - mesh.low[2];
@@ -36,15 +36,23 @@ class Renderer {
     });
     this.empty = gl.createVertexArray();
     this.cube = this.makeCube();
-    const { low, high, height } = data.room;
-    this.center = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, height / 2];
-    this.radius = Math.hypot(high[0] - low[0], high[1] - low[1], height) / 2 + 0.3;
     this.sun = unit([0.42, -0.5, 1.0]);
     this.sunMap = this.makeMap(SUN_MAP);
     this.skyMap = this.makeMap(SKY_MAP);
     this.mask = { texture: null, frame: null, width: 0, height: 0 };
-    this.heights = data.walls.map(() => data.room.height + 0.01);
+    this.show(data.room, data.walls, this.all);
+  }
+
+  // Shows some of the items in a room with walls that sink where they stand in the way.
+  show(room, walls, items) {
+    const { low, high, height } = room;
+    this.data = { ...this.data, room, walls };
+    this.items = items;
+    this.center = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, height / 2];
+    this.radius = Math.hypot(high[0] - low[0], high[1] - low[1], height) / 2 + 0.3;
+    this.heights = walls.map(() => height + 0.01);
     this.gathered = 0;
+    this.started = false;
     this.renderSun(this.sun);
   }
 
