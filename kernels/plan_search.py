@@ -97,6 +97,20 @@ def place_of(code: wp.array(dtype=wp.int32), n: wp.int32, what: wp.int32):
     return -1
 
 
+@wp.func
+def drawn_frame(p: PlanProblem, u: wp.float32):
+    """The frame in whose part of the unit interval a number lies."""
+    first = int(0)
+    last = p.frames - 1
+    while first < last:
+        middle = (first + last) / 2
+        if p.frame_share[middle] <= u:
+            first = middle + 1
+        else:
+            last = middle
+    return first
+
+
 @wp.func(inline=False)
 def propose(
     p: PlanProblem,
@@ -181,7 +195,10 @@ def propose(
         weight[extra] = 1.0e-6 * float(p.room_area[p.cell_room[extra]][1]) * (0.2 + 0.5 * uniform(rng))
         return insert_beside(code, n, t, CUT_X + pick(rng, 2), uniform(rng) < 0.5, piece, 1)
     family = p.frame_family[frame]
-    frame = family[0] + pick(rng, family[1] - family[0])
+    low = float(0.0)
+    if family[0] > 0:
+        low = p.frame_share[family[0] - 1]
+    frame = drawn_frame(p, low + uniform(rng) * (p.frame_share[family[1] - 1] - low))
     return n
 
 
@@ -235,19 +252,20 @@ def search_plans(
     frame = int(0)
     n = int(0)
     tries = int(0)
+    heat = float(hot)
+    for k in range(p.cells):
+        weight[k] = 1.0e-6 * float(p.room_area[p.cell_room[k]][1])
     while n == 0 and tries < 50:
-        frame = pick(rng, p.frames)
+        frame = drawn_frame(p, uniform(rng))
         n = random_forest(p, frame, trial, piece, new_weight, end, rng)
         tries += 1
     for k in range(p.cells):
-        weight[k] = 1.0e-6 * float(p.room_area[p.cell_room[k]][1])
         new_weight[k] = weight[k]
     energy = float(1.0e30)
     lowest = float(1.0e30)
     length = int(0)
     new_frame = int(frame)
-    rate = wp.pow(cold / hot, 1.0 / float(wp.max(moves, 1)))
-    heat = float(hot)
+    rate = wp.pow(cold / heat, 1.0 / float(wp.max(moves, 1)))
     number = int(0)
     last = int(moves)
     if n == 0:

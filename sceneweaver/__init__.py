@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.furnish import FurnishedHome as FurnishedHome
+    from sceneweaver.furnish import HomeResult as HomeResult
+    from sceneweaver.furnish import design_home as design_home
+    from sceneweaver.furnish import furnish_home as furnish_home
     from sceneweaver.home import Home as Home
     from sceneweaver.importers import ImportedScene as ImportedScene
     from sceneweaver.importers import read_scenes as read_scenes
@@ -80,7 +84,9 @@ __all__ = [
     "EditSession",
     "Evaluation",
     "Fault",
+    "FurnishedHome",
     "Home",
+    "HomeResult",
     "ImportedScene",
     "InputError",
     "LayoutPrior",
@@ -117,9 +123,11 @@ __all__ = [
     "define_relation",
     "define_term",
     "design",
+    "design_home",
     "draw_top",
     "evaluate",
     "export_home",
+    "furnish_home",
     "hypervolume",
     "improve",
     "learn_weights",
@@ -145,7 +153,9 @@ _HOME = {
     "EditSession": "editing",
     "Evaluation": "evaluation",
     "Fault": "critic",
+    "FurnishedHome": "furnish",
     "Home": "home",
+    "HomeResult": "furnish",
     "ImportedScene": "importers",
     "InputError": "scene",
     "LayoutPrior": "prior",
@@ -181,6 +191,8 @@ _HOME = {
     "define_relation": "extend",
     "define_term": "extend",
     "design": "agent",
+    "design_home": "furnish",
+    "furnish_home": "furnish",
     "draw_top": "render",
     "evaluate": "evaluation",
     "export_home": "export",

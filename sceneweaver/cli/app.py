@@ -29,6 +29,7 @@ from sceneweaver.runtime.compiling import watched_by
 from sceneweaver.runtime.deadline import process_began
 from sceneweaver.runtime.options import takes
 from sceneweaver.runtime.package import missing_module
+from sceneweaver.scene import InputError
 
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
@@ -258,11 +259,32 @@ def check(
             metavar="M", help="Radius [m] of the robot's base that is to get about; usually 0.2.", show_default=False
         ),
     ] = None,
+    programme: Annotated[
+        Path | None,
+        typer.Option(metavar="YAML", help="Of a home: what its plan is to hold as well.", show_default=False),
+    ] = None,
+    profile: Annotated[str, typer.Option(metavar="NAME", help="Of a home: rules that its plan keeps.")] = "base",
     time_limit: TimeLimit = None,
 ) -> int:
-    """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
+    """Judge a scene: collisions, bounds, support, zones, relations; or a home. Changes nothing."""
     from .check import run_check
+    from .homes import is_home_file, run_check_home
 
+    if is_home_file(source):
+        if meshes is not None or picture is not None:
+            raise InputError("--meshes and --picture are for single rooms; give the scene.json of one")
+        return run_check_home(
+            source,
+            programme=programme,
+            profile=profile,
+            as_json=as_json,
+            metrics=metrics,
+            physics=physics,
+            openable=openable,
+            robot_radius=robot_radius,
+            time_limit=time_limit,
+            began=context.obj,
+        )
     return run_check(
         source,
         as_json=as_json,
@@ -556,8 +578,14 @@ def design(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
     ],
-    prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)] = "",
+    prompt: Annotated[
+        str, typer.Argument(metavar="PROMPT", help="The room or home, in words.", show_default=False)
+    ] = "",
     *,
+    home: Annotated[
+        bool | None,
+        typer.Option("--home/--room", help="A whole home, or one room (default: as it is read).", show_default=False),
+    ] = None,
     no_pictures: Annotated[bool, typer.Option("--no-pictures", help="The same as --pictures none.")] = False,
     as_json: Json = False,
     max_calls: MaxCalls = None,
@@ -566,13 +594,46 @@ def design(
     prices: PriceFile = None,
     **options: Any,
 ) -> int:
-    """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
+    """Make a furnished room or home from a request in words. A run that was cut off goes on when started again."""
     from .design import run_design
+    from .homes import run_design_home, wants_home
 
     options |= limits_of(max_calls, max_tokens, max_cost, prices)
     if no_pictures:
         options["pictures"] = "none"
+    if wants_home(prompt, home=home, options=options):
+        return run_design_home(prompt, out, options, as_json=as_json, began=context.obj)
     return run_design(prompt, out, options, as_json=as_json, began=context.obj)
+
+
+@app.command()
+def plan(
+    context: typer.Context,
+    source: Annotated[Path, typer.Argument(metavar="PROGRAMME", help="A programme.yaml.", show_default=False)],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the plans.", show_default=False)],
+    candidates: Annotated[int, typer.Option(min=1, help="How many plans are searched for at once.")] = 1024,
+    count: Annotated[int, typer.Option(min=1, max=1000, help="How many distinct plans are written.")] = 8,
+    profile: Annotated[str, typer.Option(metavar="NAME", help="Rules that they keep.")] = "base",
+    seed: Seed = 0,
+    device: Device = "auto",
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+) -> int:
+    """Solve the floor plans of a programme of rooms, and draw the best ones."""
+    from .homes import run_plan
+
+    return run_plan(
+        source,
+        out,
+        seed=seed,
+        candidates=candidates,
+        count=count,
+        profile=profile,
+        device=device,
+        time_limit=time_limit,
+        as_json=as_json,
+        began=context.obj,
+    )
 
 
 @app.command()

@@ -84,7 +84,9 @@ def needs_of(kind: RoomType, brief: SceneGraph | None = None) -> Needs:
         if size is not None and category_named(asked.category).mount[0] == "floor" and asked.category not in known:
             (depth, _), (width, _) = size.ranges[:2]
             floor += (asked.count[0] if asked.count is not None else 1) * depth * width
-    return Needs(round(floor / kind.fill + LEAF, 2), round(side, 2), tuple(sorted((round(w, 2) for w in walls), reverse=True)))
+    return Needs(
+        round(floor / kind.fill + LEAF, 2), round(side, 2), tuple(sorted((round(w, 2) for w in walls), reverse=True))
+    )
 
 
 def furnishable(programme: Programme, requests: Mapping[str, str] | None = None) -> tuple[Programme, tuple[str, ...]]:
@@ -126,7 +128,9 @@ def raised(programme: Programme, names: Iterable[str]) -> tuple[Programme, tuple
         had = spec.side if spec.side is not None else spec.kind.side
         side = round(min(had + WIDER, 0.9 * area[0] ** 0.5), 2)
         rooms.append(_respecified(spec, area, max(side, had)))
-        said.append(f"{spec.id}: at least {area[0]:.1f} m2 and {max(side, had):.2f} m wide, as its furniture had no place")
+        said.append(
+            f"{spec.id}: at least {area[0]:.1f} m2 and {max(side, had):.2f} m wide, as its furniture had no place"
+        )
     return with_rooms(programme, rooms), tuple(said)
 
 
@@ -187,7 +191,9 @@ def _respecified(spec: RoomSpec, area: tuple[float, float, float], side: float) 
 
 
 def _stands(item: Item) -> bool:
-    return (item.mount or category_named(item.what[0]).mount[0]) == "floor" and category_named(item.what[0]).size is not None
+    return (item.mount or category_named(item.what[0]).mount[0]) == "floor" and category_named(
+        item.what[0]
+    ).size is not None
 
 
 def _size(item: Item) -> tuple[float, float]:
@@ -197,7 +203,9 @@ def _size(item: Item) -> tuple[float, float]:
         size = category_named(name).size
         if size is not None:
             known = size.ranges[:2]
-            depth, width = (own[0] if own is not None else usual[0] for own, usual in zip(item.size[:2], known, strict=True))
+            depth, width = (
+                own[0] if own is not None else usual[0] for own, usual in zip(item.size[:2], known, strict=True)
+            )
             sizes.append((depth * width, depth, width))
     _, depth, width = min(sizes)
     return depth, width

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sceneweaver.geometry.polygons import signed_area
@@ -32,6 +32,9 @@ LATE = 5.0
 
 Kept = Callable[[RoomJob], FurnishedRoom | None]
 """Finds a room that was furnished before."""
+
+Finished = Callable[[RoomJob, FurnishedRoom], None]
+"""Is told of each room that has just been made."""
 
 Said = Callable[[FurnishedRoom], None]
 """Is told of each room when it is done."""
@@ -79,12 +82,14 @@ def furnish_home(
     requests: Mapping[str, str] | None = None,
     *,
     seed: int = 0,
+    seeds: Mapping[str, int] | None = None,
     prompt: str = "",
     device: str = "cpu",
     workers: int | None = None,
     time_limit: float | None = None,
     kept: Kept | None = None,
     said: Said | None = None,
+    finished: Finished | None = None,
     stop: Stop | None = None,
     **options: Any,
 ) -> FurnishedHome:
@@ -96,15 +101,17 @@ def furnish_home(
 
     Args:
         home: the plan. Rooms that are furnished already are furnished anew.
-        requests: by id of a room, what it is to hold, in words; the other rooms are furnished as such rooms usually are,
+        requests: by id of a room, what it is to hold, in words; the others are furnished as such rooms usually are,
             so that the home as a whole lacks nothing, see `room_requests`.
         seed: equal seeds give equal homes.
+        seeds: by id, seeds of rooms that differ from those that follow from ``seed``.
         prompt: the request for the whole home; its style and colours are those of all rooms.
         device: where layouts are computed: "cpu", "cuda" ...
         workers: processes; 1: this one alone, None: one for each core.
         time_limit: seconds that all may take; what is best then is kept. None: as long as it takes.
         kept: finds rooms that were furnished before, of the same job.
         said: called with each room when it is done.
+        finished: called with the job of a room and the room when that has just been made.
         stop: asks it to end before, with what is best then.
         options: of `sceneweaver.design` for each room: steps, candidates, clutter, settle.
 
@@ -128,6 +135,7 @@ def furnish_home(
         raise InputError(f"time_limit: {time_limit:g} is no time; give seconds above 0, or leave it out")
     deadline = Deadline(began + (time_limit or math.inf), stop=stop or Stop())
     scheme, jobs = room_jobs(home, requests, seed=seed, prompt=prompt, device=device, **options)
+    jobs = [replace(job, seed=seeds[job.room_id]) if seeds and job.room_id in seeds else job for job in jobs]
     done = {job.room_id: room for job in jobs if kept is not None and (room := kept(job)) is not None}
     left = [job for job in jobs if job.room_id not in done]
     if said is not None:
@@ -135,6 +143,8 @@ def furnish_home(
             said(room)
     for room in _made(left, workers or processes.cores(), deadline):
         done[room.room_id] = room
+        if finished is not None:
+            finished(next(job for job in left if job.room_id == room.room_id), room)
         if said is not None:
             said(room)
     rooms = {job.room_id: done[job.room_id] for job in jobs}

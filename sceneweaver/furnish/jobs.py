@@ -17,7 +17,6 @@ from sceneweaver.runtime.deadline import Stop
 from sceneweaver.scene import InputError, Palette, Room, Scene
 from sceneweaver.verify import Report
 
-
 AGAIN = 0x5BD1E995
 """What lies between the seeds of two draws of a room."""
 

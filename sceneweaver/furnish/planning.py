@@ -64,19 +64,19 @@ def plan_home(
     solution = solve_plans(
         programme, envelope, candidates=candidates, seed=seed, profile=profile, device=device, time_limit=time_limit
     )
-    found: list[tuple[float, int, Home, PlanReport, dict[str, float]]] = []
+    found, broken = list[tuple[float, int, Home, PlanReport, dict[str, float]]](), ""
     for number, plain in enumerate(solution.distinct(COMPARED)):
         home = with_sills(plain)
         report = check_plan(home, programme, profile)
         if not report.valid and home != plain:  # the window is lower than the furniture likes, but the room has light
             home, report = plain, check_plan(plain, programme, profile)
         if not report.valid:
+            broken = broken or "; ".join(v.detail for v in report.violations[:3])
             continue
         lacking = short_walls(home)
         found.append((round(report.cost + SHORT * sum(lacking.values()), 6), number, home, report, lacking))
     if not found:
-        why = solution.explanation or "the solver found none that the checker takes"
-        raise InputError(f"programme: no plan keeps all rules: {why}")
+        raise InputError(f"programme: no plan keeps all rules: {broken or solution.explanation or 'none was found'}")
     _, _, home, report, lacking = min(found, key=lambda row: row[:2])
     changes = {"prompt": prompt, "provenance": {**home.provenance, "tool": "solve_plans", "seed": seed}}
     return ChosenPlan(

@@ -14,7 +14,6 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.home import Home, HomeRoom
 from sceneweaver.language import read_request
-
 from sceneweaver.plans.room_types import room_types
 
 from .kinds import kind_of
@@ -28,8 +27,11 @@ DOUBLE = (9.0, 2.55)
 NARROW = 1.15
 """Width [m] of a hall up to which nothing stands on its floor: the way needs it."""
 
-PEOPLE = (2, 6)
+PEOPLE = (4, 6)
 """Fewest and most people that a table is laid for where nobody says how many live there."""
+
+APART = 1.2
+"""Distance [m] between the seats around a television and a table to eat at."""
 
 BEDROOMS = ("bedroom", "master_bedroom", "guest_room")
 """Kinds of rooms in which the bed is for one or two, as the floor allows."""
@@ -61,7 +63,7 @@ def room_requests(home: Home, told: Mapping[str, str] | None = None) -> dict[str
     told = told or {}
     places = [place for room in home.rooms if (place := _place(room)) is not None]
     beds = {p.room.id: _sleepers(p) for p in places if p.kind in BEDROOMS}
-    people = min(max(sum(beds.values()), PEOPLE[0]), PEOPLE[1])
+    people = min(max(2 * round(sum(beds.values()) / 2), PEOPLE[0]), PEOPLE[1])
     table = _eaten_in(places, told)
     return {p.room.id: told.get(p.room.id) or _usual(p, beds, table, people) for p in places}
 
@@ -119,7 +121,7 @@ def _usual(place: _Place, beds: Mapping[str, int], table: str, people: int) -> s
             return f"{text} without a dining table"
         return text if place.area >= EAT_IN else f"{text} with a small dining table and 2 chairs"
     if place.kind == "living_room" and table == place.room.id:
-        return f"{text} with a dining table for {people} people"
+        return f"{text} with a dining table for {people} people at least {APART:g} m away from the coffee table"
     if place.kind == "hallway" and place.side <= NARROW:
         return f"{text} with only ceiling lights and pictures"
     return text

@@ -8,6 +8,7 @@ stands at the same place on each; what is left of its rectangle is cut into bays
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 
 from shapely.geometry import LineString, Point, Polygon, box
 from shapely.ops import split
@@ -18,7 +19,7 @@ from .solve_stairs import Stairwell
 Rect = tuple[int, int, int, int]
 """x0, y0, x1, y1 in mm."""
 
-MAX_FRAMES = 400
+MAX_FRAMES = 96
 STEP = 450
 """How far [mm] the places of a stairwell are apart."""
 LEAST_BAY = 1300
@@ -35,15 +36,15 @@ class Fixed:
 
 @dataclass(frozen=True)
 class Frame:
-    """Bays of one storey, the parts of the stairwell, and how stairs lie in it.
+    """Bays of each storey, the parts of the stairwell, and how stairs lie in it.
 
     Attributes:
-        bays: rectangles of clear floor.
+        bays: rectangles of clear floor, by storey.
         fixed: the landing and the flights of the stairwell; empty without stairs.
         up: direction of the first flight; (0, 0) without stairs.
     """
 
-    bays: tuple[Rect, ...]
+    bays: tuple[tuple[Rect, ...], ...]
     fixed: tuple[Fixed, ...] = ()
     up: tuple[int, int] = (0, 0)
 
@@ -54,18 +55,19 @@ def millimetres(points: tuple[tuple[float, float], ...]) -> list[tuple[int, int]
 
 
 def frames_of(envelope: Envelope, stairwell: Stairwell | None) -> list[Frame]:
-    """All frames of an envelope, in a fixed order; at most `MAX_FRAMES`, evenly chosen.
+    """Frames of an envelope, those with few bays first, in a fixed order; at most `MAX_FRAMES`.
 
     Empty where the stairwell finds no place.
     """
     wall = round(1000 * envelope.inner_wall)
     parts = _partitions(Polygon(millimetres(envelope.inner)), wall)
-    frames = [Frame(rects) for rects in parts]
-    if stairwell is not None:
-        frames = [f for rects in parts for f in _with_stairwell(rects, stairwell, wall)]
-    if len(frames) > MAX_FRAMES:
-        frames = [frames[k * len(frames) // MAX_FRAMES] for k in range(MAX_FRAMES)]
-    return frames
+    if stairwell is None:
+        return [Frame((rects,)) for rects in parts]
+    frames = [f for rects in parts for f in _with_stairwell(rects, stairwell, wall, envelope.storeys)]
+    # each bay takes a room at least, and few rooms to a bay leave little choice
+    frames.sort(key=lambda frame: sum(map(len, frame.bays)))
+    kept = frames[:MAX_FRAMES]
+    return sorted(kept, key=lambda frame: tuple(map(len, frame.bays)))
 
 
 def _partitions(polygon: Polygon, wall: int) -> list[tuple[Rect, ...]]:
@@ -138,8 +140,11 @@ def _rect(polygon: Polygon) -> tuple[Rect, ...]:
     return ((round(x0), round(y0), round(x1), round(y1)),)
 
 
-def _with_stairwell(rects: tuple[Rect, ...], stairwell: Stairwell, wall: int) -> list[Frame]:
-    """Frames with the stairwell in one of the rectangles, lengthwise or across, near every wall and in between."""
+def _with_stairwell(rects: tuple[Rect, ...], stairwell: Stairwell, wall: int, storeys: int) -> list[Frame]:
+    """Frames with the stairwell in one of the rectangles, lengthwise or across, near every wall and in between.
+
+    What is left of that rectangle is cut one way or the other, in each storey by itself.
+    """
     found: list[Frame] = []
     for k, host in enumerate(rects):
         rest = rects[:k] + rects[k + 1 :]
@@ -149,14 +154,12 @@ def _with_stairwell(rects: tuple[Rect, ...], stairwell: Stairwell, wall: int) ->
                 for y in _places(host[1], host[3], size[1], wall):
                     shaft = (x, y, x + size[0], y + size[1])
                     axis = 0 if lengthwise else 1
+                    around = [_around(host, shaft, wall, strips) for strips in (False, True)]
+                    ways = list(dict.fromkeys(rest + bays for bays in around if bays is not None))
                     for sign in (1, -1):
-                        fixed = stairwell.parts(shaft, axis, sign)
+                        parts = tuple(Fixed(rect, doors) for rect, doors in stairwell.parts(shaft, axis, sign))
                         up = (sign, 0) if axis == 0 else (0, sign)
-                        for strips in (False, True):
-                            bays = _around(host, shaft, wall, strips)
-                            if bays is not None:
-                                parts = tuple(Fixed(rect, doors) for rect, doors in fixed)
-                                found.append(Frame(rest + bays, parts, up))
+                        found += [Frame(bays, parts, up) for bays in product(ways, repeat=storeys)]
     return found
 
 

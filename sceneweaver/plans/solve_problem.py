@@ -130,7 +130,7 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
     rows = Rows(profile, programme.use)
     rooms = programme.rooms
     stairwell = _stairwell(envelope, rows) if programme.storeys > 1 else None
-    frames = sorted(frames_of(envelope, stairwell), key=lambda frame: len(frame.bays))
+    frames = frames_of(envelope, stairwell)
     if not frames:
         raise InputError("envelope has no place for the stairs; make it larger")
     cell_room = list(range(len(rooms)))
@@ -303,14 +303,14 @@ def _frame_arrays(programme: Programme, frames: Iterable[Frame]) -> dict[str, np
     starts, fixed_starts = [0], [0]
     for frame in frames:
         for storey in range(programme.storeys):
-            bays += frame.bays
-            storeys += [storey] * len(frame.bays)
+            bays += frame.bays[storey]
+            storeys += [storey] * len(frame.bays[storey])
             for part in frame.fixed:
                 fixed.append(part.rect)
                 fixed_room.append([by_storey[storey], storey, int(part.doors)])
         starts.append(len(bays))
         fixed_starts.append(len(fixed))
-    counts = [len(frame.bays) for frame in frames]
+    counts = [tuple(map(len, frame.bays)) for frame in frames]
     families = [[counts.index(c), len(counts) - counts[::-1].index(c)] for c in counts]
     return {
         "bay_start": np.array(starts, dtype=np.int32),
@@ -320,6 +320,7 @@ def _frame_arrays(programme: Programme, frames: Iterable[Frame]) -> dict[str, np
         "fixed": np.array(fixed, dtype=np.int32).reshape(-1, 4),
         "fixed_room": np.array(fixed_room, dtype=np.int32).reshape(-1, 3),
         "frame_family": np.array(families, dtype=np.int32).reshape(-1, 2),
+        "frame_share": np.linspace(0, 1, len(frames) + 1, dtype=np.float32)[1:],
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
@@ -32,14 +33,16 @@ def instances_of(scene: Scene, load: Load | None = None) -> list[Instance]:
     return [_instance(k, thing, load) for k, thing in enumerate(scene.objects)]
 
 
-def hidden_with(scene: Scene, cut: Collection[int]) -> set[str]:
+def hidden_with(scene: Scene, cut: Collection[int], top: float = math.inf) -> set[str]:
     """Ids of the objects that hang on walls that are cut away or from the ceiling, and of all that stands on those.
 
-    Pictures from above have no ceiling: what hangs from it would float before the furniture.
+    Pictures from above have no ceiling: what hangs from it would float before the furniture. Nor is there anything on
+    walls that reaches over the height ``top`` [m] at which all are cut.
     """
     walls = scene.room.walls
     hung = [o for o in scene.objects if o.mount == "wall"]
     gone = {o.id for o in hung if wall_behind(walls, o.pose.position, o.pose.frame.axis) in cut}
+    gone |= {o.id for o in hung if o.pose.position[2] + o.size[2] > top}
     gone |= {o.id for o in scene.objects if o.mount == "ceiling"}
     grown = True
     while grown:

@@ -55,7 +55,8 @@ def add_frame(builder: Builder, wall: Wall, door: Door, look: Finishes, thick: f
     builder.prism(wall_block(wall, (start, end), (0.0, thick)), (top - _LINING, top), look.trim)
     path = [(start, 0.0), (start, top), (end, top), (end, 0.0)]
     for plane in (Plane.on_wall(wall), Plane.on_wall(wall, thick)):
-        moulding(builder, plane, path, _ARCHITRAVE, look.trim)
+        for run in (path,) if builder.top > top else (path[:2], path[2:]):  # cut, it has no upper part
+            moulding(builder, plane, run, _ARCHITRAVE, look.trim)
     builder.prism(wall_block(wall, (start, end), (0.0, thick)), (-0.002, 0.005), look.leaf)
 
 

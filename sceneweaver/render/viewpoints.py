@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,6 +52,8 @@ _CELL = 0.4  # side [m] of the cells in which the floor is counted
 _FULL = {"floor": 0.05, "wall": 0.015, "ceiling": 0.01, "surface": 0.01}
 """Shares of the picture from which on a thing counts as shown, by what holds it; more of what is key."""
 _KEY_FULL = 0.12
+
+_MUCH = 0.22  # how much better the view from a corner must be than that from the door, on a walk
 
 MORE = 0.4
 """What it counts for a picture that it shows all that matters and that no other picture shows."""
@@ -143,6 +145,47 @@ def cameras_and_hero(scene: Scene, aspect: float = 4 / 3) -> tuple[dict[str, Cam
         return round(views[view].worth + MORE * _share(views[view].shown, room.weights), 6)
 
     return {view: one.candidate.camera for view, one in views.items()}, max(EYE_VIEWS, key=alone)
+
+
+PASSAGE = 0.3
+"""What it counts for a picture on a walk that it shows an open door, and the room behind it."""
+
+
+def walk_camera(scene: Scene, aspect: float, entered: str | None, doors: Collection[str] = ()) -> Camera:
+    """From where a room is looked at on a walk: from the door by which it is entered, or, where that shows much less,
+    from the corner that shows it best.
+
+    Args:
+        scene: The room.
+        aspect: Width over height of the picture.
+        entered: Id of the door by which one comes; None, or none of the room: any.
+        doors: Ids of the doors that stand open: a view through one of them is worth something.
+    """
+    room = _Room(scene, aspect)
+    open_doors = [k for k, door in enumerate(scene.room.doors) if door.id in doors and door.id != entered]
+    here = [k for k, door in enumerate(scene.room.doors) if door.id == entered]
+    places = [one for one in _door_candidates(room) if not here or one.place == ("door", here[0])]
+    best = []
+    for candidates in (places, [*_corner_candidates(room)]):
+        judged = _best(room, Probe(scene, doors=False), _free(scene, candidates))
+        first = max(judged, key=lambda one: round(_on_walk(one, room, open_doors), 6))
+        best.append((_on_walk(first, room, open_doors), first.candidate.camera))
+    (from_door, entering), (from_corner, corner) = best
+    return corner if from_corner > from_door + _MUCH else entering
+
+
+def _on_walk(one: _Judged, room: _Room, open_doors: list[int]) -> float:
+    """The worth of a view on a walk: of itself, and for the open doors of which most is in it."""
+    seen = 0.0
+    for k in open_doors:
+        door = room.scene.room.doors[k]
+        wall = room.scene.room.walls[door.wall]
+        corners = [(*wall.point(door.offset + s * door.width), z) for s in (0.1, 0.9) for z in (0.1, 0.9 * door.height)]
+        u, v, ahead = one.candidate.camera.project(np.asarray(corners)).T
+        inside = float(((np.abs(u) < 1) & (np.abs(v) < 1) & (ahead > 0.6)).mean())
+        facing = -float(np.dot(one.candidate.camera.axis[:2], wall.inward))  # straight through it: 1
+        seen = max(seen, inside * max(0.0, facing))
+    return one.worth + PASSAGE * seen
 
 
 def _share(shown: np.ndarray, weights: np.ndarray) -> float:

@@ -232,10 +232,10 @@ def _overview(
     """Things in a shell on a pale ground."""
     solids = [Instance(mesh, np.eye(4)) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
     drawn = trace([*things, *solids], camera, width, height, lights=lights, quality=quality, device=device)
-    return Image.fromarray(_faded(_glowing(drawn, len(things))))
+    return Image.fromarray(faded(_glowing(drawn, len(things))))
 
 
-def _faded(rgb: np.ndarray) -> np.ndarray:
+def faded(rgb: np.ndarray) -> np.ndarray:
     """The picture [H, W, 3] a little brighter in the middle and darker toward its corners, so that the eye stays in."""
     height, width = rgb.shape[:2]
     y, x = np.linspace(-1.0, 1.0, height)[:, None], np.linspace(-1.0, 1.0, width)[None, :]

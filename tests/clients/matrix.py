@@ -1,4 +1,4 @@
-"""Exported rooms and homes in all clients: ``python -m tests.clients.matrix FILE.JSON... [--clients a,b] [--out FILE]``.
+"""Exported rooms and homes in clients: ``python -m tests.clients.matrix FILE.JSON... [--clients a,b] [--out FILE]``.
 
 Each client runs in a process and an environment of its own, one after the other, and what hangs is stopped. The lines
 of JSON go to the file as they come; at the end the table of them is printed, as docs/simulators.md shows it.
@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.assets.placed import loader
+from sceneweaver.assets.placed import loader, welded_assets
 from sceneweaver.export import export_scene, format_named
 from sceneweaver.home import Home, is_home
 from sceneweaver.scene import Scene
@@ -39,6 +39,8 @@ class Entry:
 
 CLIENTS = {
     "mujoco": Entry("MuJoCo", "mujoco", "mujoco", "mjcf"),
+    "mujoco_sleep": Entry("MuJoCo, sleeping", "mujoco_sleep", "mujoco", "mjcf"),
+    "mujoco_warp": Entry("MuJoCo Warp", "mujoco_warp", "newton", "mjcf"),
     "mujoco33": Entry("MuJoCo 3.3", "mujoco", "mujoco33", "mjcf"),
     "dm_control": Entry("dm_control", "dm_control", "dm_control", "mjcf"),
     "robosuite": Entry("robosuite", "robosuite", "robosuite", "mjcf:robosuite"),
@@ -75,9 +77,10 @@ def measure_room(
     """The rows of one file of a scene or a home in those clients."""
     rows: list[dict[str, Any]] = []
     home = Home.load(path) if is_home(json.loads(path.read_text())) else None
+    load = loader(welded_assets() if welded else None)
     with tempfile.TemporaryDirectory() as place:
         wanted = Path(place) / "expected.json"
-        found = expected(Scene.load(path), loose=not welded) if home is None else expected_of_home(home)
+        found = expected(Scene.load(path), loose=not welded) if home is None else expected_of_home(home, load)
         wanted.write_text(json.dumps(found))
         for name in names:
             entry = CLIENTS[name]
@@ -91,7 +94,7 @@ def measure_room(
                     else:  # under the name of a scene's file, by which clients load it
                         folder.mkdir()
                         one = format_named(entry.format)
-                        one.for_homes().write(home, folder / one.file, loader(), textures=True)
+                        one.for_homes().write(home, folder / one.file, load, textures=True)
                 row |= run(python_of(entry.environment), entry.module, folder, wanted, seconds)
             except UnavailableError as error:
                 row["error"] = f"skipped: {error}"

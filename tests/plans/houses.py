@@ -32,7 +32,16 @@ def outline(box: tuple[float, float, float, float]) -> list[list[float]]:
 
 
 def _door(name: str, room: str, wall: int, offset: float, to: str | None, **more: Any) -> Data:
-    return {"id": name, "room": room, "wall": wall, "offset": offset, "width": 0.8, "to": to, "opens_into": room, **more}
+    return {
+        "id": name,
+        "room": room,
+        "wall": wall,
+        "offset": offset,
+        "width": 0.8,
+        "to": to,
+        "opens_into": room,
+        **more,
+    }
 
 
 def _window(name: str, room: str, wall: int, offset: float, width: float, **more: Any) -> Data:

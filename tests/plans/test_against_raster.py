@@ -14,8 +14,8 @@ from sceneweaver.plans import MEASURES, Rule
 from sceneweaver.plans.checking.facts import PlanFacts
 from sceneweaver.plans.checking.readings import Reading, measures
 from sceneweaver.plans.room_types import room_type
-from tests.plans.raster import P, Raster, cropped, fits, flood, gap, grown, largest_square, rectangles
 from tests.plans.random_homes import random_home
+from tests.plans.raster import P, Raster, cropped, fits, flood, gap, grown, largest_square, rectangles
 
 SEEDS = range(12)
 
@@ -99,9 +99,7 @@ def test_windows_and_doors_that_lead_out(seed: int):
     raster = Raster(home, "s0")
     floors = np.any(list(raster.rooms.values()), axis=0)
     rooms = {room.id: room for room in home.rooms}
-    bad = [
-        w.room for w in home.windows if (raster.ahead(rooms[w.room], w.wall, w.offset, w.width, 1.3) & floors).any()
-    ]
+    bad = [w.room for w in home.windows if (raster.ahead(rooms[w.room], w.wall, w.offset, w.width, 1.3) & floors).any()]
     assert sorted(r.rooms[0] for r in readings(home, "window_fault")) == sorted(bad)
     wrong = [
         d.room

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -18,7 +19,7 @@ from sceneweaver.home import Home
 from sceneweaver.io import write_atomic
 from sceneweaver.runtime.deadline import checkpoint
 
-from ..bodies import body_of, with_mesh
+from ..bodies import bodies_of, with_mesh
 from ..glb import add_leaf, add_object, free_name
 from ..glb_file import GlbFile
 from ..shared import SharedFiles
@@ -48,7 +49,6 @@ def home_glb(built: BuiltHome, *, textures: bool = True, shared: SharedFiles | N
     """
     home, file = built.home, GlbFile(textures, shared)
     taken = {name for named in built.names.things.values() for name in named.values()}
-    things = {room.id: things for room, things in built.rooms}
 
     def node(part: Part) -> int:
         extras = {"kind": part.kind}
@@ -63,7 +63,10 @@ def home_glb(built: BuiltHome, *, textures: bool = True, shared: SharedFiles | N
     for room in home.rooms:
         checkpoint()
         inside = [node(p) for p in built.parts if p.room == room.id and p.kind in ("floor", "ceiling")]
-        inside += [add_object(file, body_of(thing), taken) for thing in things.get(room.id, [])]
+        up = home.storey_of(room.id).elevation
+        for body in bodies_of(room.scene, built.load) if room.scene is not None else ():
+            named = built.names.object(room.id, body.object, up)
+            inside.append(add_object(file, replace(body, object=named), taken))
         extras: dict[str, Any] = {"kind": "room", "type": room.type, "storey": room.storey}
         rooms.append(file.node(free_name(room.id, taken), {"children": inside, "extras": extras}))
     top = file.node(free_name(built.names.home, taken), {"children": rooms + around})

@@ -17,7 +17,8 @@ from ..names import legal_name
 class HomeNames:
     """The names of a home's things: by room, from an object's id to its name in the home, no two alike.
 
-    Nor are two alike where a format has ``_`` for what it cannot write. ``home`` begins the names of walls, doors and whatever else belongs to no room.
+    Nor are two alike where a format has ``_`` for what it cannot write. ``home`` begins the names of walls, doors and
+    whatever else belongs to no room.
     """
 
     home: str

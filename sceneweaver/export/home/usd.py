@@ -100,7 +100,8 @@ def home_layer(
             add_frames(prim(made, "Spawns", kind="group"), built.spawns(room.id))
             objects, mine = prim(made, "Objects", kind="group"), things.get(room.id, [])
             solids = [add_object(objects, titles[t.object.id], t, prototypes, names) for t in mine]
-            filter_coverings(mine, solids, doors, layer)
+            here = {door.id for door in home.doors_of(room.id)}
+            filter_coverings(mine, solids, [solid for name, solid in doors if name in here], layer)
     return layer, looks.files
 
 
@@ -156,16 +157,17 @@ def _collides(parent: Prim, name: str, body: Standing, looks: Looks) -> tuple[An
     return tuple(made.path.AppendChild(f"part_{k}") for k in range(len(body.slabs)))
 
 
-def _doors(parent: Prim, built: BuiltHome, walls: Walls, names: Names, looks: Looks) -> list[Solids]:
-    """The leaves of all doors. One may touch the walls that carry it, and no more than touch."""
+def _doors(parent: Prim, built: BuiltHome, walls: Walls, names: Names, looks: Looks) -> list[tuple[str, Solids]]:
+    """The leaves of all doors with the ids of these. One may touch the walls that carry it, and no more than touch."""
     found = []
     for plan, leaves, bodies in zip(built.plans, built.leaves, walls, strict=True):
         near = {o.opening.id: plan.hole(o).buffer(_TOUCHES) for o in plan.openings}
         for leaf in leaves:
-            found.append(add_door(parent, names, leaf, looks))
+            solid = add_door(parent, names, leaf, looks)
+            found.append((leaf.door, solid))
             for body, colliders in bodies:
                 if near[leaf.door].intersects(plan_of(body)):
-                    filter_pair(found[-1], colliders, parent.layer)
+                    filter_pair(solid, colliders, parent.layer)
     return found
 
 

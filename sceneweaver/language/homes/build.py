@@ -49,10 +49,12 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
                 placed[room.id] = 0
                 said.append(f"{room.id} on the ground floor: for who cannot climb stairs")
     for joint in reading.joints:
-        if joint.kind == "door" and isinstance(joint.b, Named):
+        if joint.kind != "apart" and isinstance(joint.b, Named):
             for a, b in pairs_of(joint):
                 if placed.get(a) is None and placed.get(b) is not None:
                     placed[a] = placed[b]
+                elif placed.get(b) is None and placed.get(a) is not None:
+                    placed[b] = placed[a]
     living = ("living_room", "kitchen", "living_kitchen", "living_dining", "kitchen_diner", "dining_room")
     lowest = 0
     if reading.share_ground:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .mentions import is_thing
 from .parts import Named, Reading
 
 _ALL = ("all", "both")
@@ -36,6 +37,14 @@ def _count(reading: Reading, at: int) -> None:
         number = 2
     if number is None or not 1 <= number <= 6 or before is None or before.text in ("a", "an"):
         return
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    single = tokens[at].text in ("floor", "level", "storey", "story", "storied", "storeyed")
+    if single and number > 1 and not (before.glued or after is not None and after.has("use")):
+        return  # "two floor lamps"
+    if not single and after is not None and is_thing(after):
+        return
+    if any(t.text in ("its", "their") for t in tokens[max(0, at - 3) : at]):
+        return  # "on its three levels"
     reading.storeys = max(reading.storeys or 0, number)
     if number == 1:
         reading.one_storey = True
@@ -53,7 +62,10 @@ def _place(reading: Reading, sentence: range) -> None:
         if reading.use_at is not None and _is_of_home(reading, k):
             reading.did(k, "storeys")
             continue
-        before = tokens[k - 1] if k > sentence.start else None
+        start = k
+        while start > sentence.start and tokens[start - 1].text in ("in", "on", "at", "the", "its", "to"):
+            start -= 1
+        before = tokens[start - 1] if start > sentence.start else None
         after = tokens[k + 1] if k + 1 < sentence.stop else None
         lead = before is None or before.breaks or before.text in ("and", "with", "the", "then") and (after is not None and not after.breaks and after.text != "and")
         behind = [one for one in names if one.at > k]
@@ -62,7 +74,7 @@ def _place(reading: Reading, sentence: range) -> None:
         if after is not None and (after.text in ("for", "is") or after.breaks and after.text == ":"):
             lead = bool([one for one in behind if one.at < until])
         if lead and (found := [one for one in behind if one.at < until]):
-            chosen = found if not _next_is_suffix(reading, words, number, found) else found[:1]
+            chosen = found
         elif ahead:
             chosen = _joined(reading, ahead, k)
         else:
@@ -82,10 +94,6 @@ def _is_of_home(reading: Reading, at: int) -> bool:
     if any(tokens[k].breaks or any(one.first <= k <= one.last for one in reading.named) for k in between):
         return False
     return at == use_at - 1 or (at > use_at and len(between) <= 2)
-
-
-def _next_is_suffix(reading: Reading, words: list[int], number: int, found: list[Named]) -> bool:
-    return False
 
 
 def _joined(reading: Reading, ahead: list[Named], at: int) -> list[Named]:

@@ -8,6 +8,7 @@ from .tokens import Token
 
 _ROLE = {"couples": "couple", "adults": "adult", "seniors": "senior", "children": "child", "twins": "twins", "babies": "baby"}
 _OWNERS = ("my", "our", "his", "her", "their", "the")
+_ELDERS = ("father", "mother", "mum", "mom", "dad")
 _STAYS = ("stay", "visit", "visits", "come", "comes", "visiting", "over")
 _ORDER = ("couples", "parents", "partners", "twins", "babies", "children", "seniors", "adults", "families")
 
@@ -16,6 +17,8 @@ def read_people(reading: Reading) -> None:
     """Reads who a home is for; see above."""
     for sentence in reading.sentences():
         _sentence(reading, sentence)
+        _shared_storey(reading, sentence)
+    _each(reading)
     _settle(reading)
 
 
@@ -46,6 +49,99 @@ def _sentence(reading: Reading, sentence: range) -> None:
             _lives(reading, at, sentence, depth)
 
 
+def _shared_storey(reading: Reading, sentence: range) -> None:
+    """ "Ground floor for the shared rooms"."""
+    tokens = reading.tokens
+    for at in sentence:
+        ahead = [t.text for t in tokens[at + 1 : min(at + 5, sentence.stop)]]
+        shared = {"shared", "common", "communal", "joint", "living"} & set(ahead) and {"rooms", "areas", "spaces"} & set(ahead)
+        if tokens[at].get("storey") == "ground" and (shared or tokens[at - 1].text in ("share", "shared")):
+            reading.share_ground = True
+            for k in range(at, min(at + 5, sentence.stop)):
+                reading.did(k, "storeys")
+
+
+def _each(reading: Reading) -> None:
+    """ "Each couple needs a bedroom", "three doctors with a consulting room each": as many rooms as people."""
+    tokens = reading.tokens
+    for at, token in enumerate(tokens):
+        if token.text not in ("each", "every", "everyone", "everybody", "for each", "per"):
+            continue
+        pronoun = next((one for one in reading.named if one.of is not None and one.at == at), None)
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        who = after is not None and after.has("person", "staff", "groups")
+        before = next((one for one in reversed(reading.named) if one.last == at - 1 and one.of is None), None)
+        number = _people_before(reading, at, tokens[at + 1] if who else None)
+        behind_one = before is not None and before.told in ("article", "") and before.count == 1
+        if number is None or (not behind_one and pronoun is not None and not _people_nearer(reading, at, pronoun)):
+            continue
+        if behind_one and before is not None:
+            _drop(reading, pronoun)
+            for one in _listed_before(reading, before):
+                one.times = number
+            reading.did(at, "people")
+            if who:
+                reading.did(at + 1, "people")
+        elif who or after is not None and after.text in ("has", "have", "gets", "get", "needs", "with", "in", "their", "his", "her", "own"):
+            for one in _told_of(reading, at):
+                one.times = number
+                if one.of is not None and one.per is None:
+                    one.of = None
+            _drop(reading, pronoun)
+            reading.did(at, "people")
+            if who:
+                reading.did(at + 1, "people")
+
+
+def _drop(reading: Reading, pronoun: Named | None) -> None:
+    """Forget an "each" that was taken for rooms."""
+    if pronoun is not None:
+        reading.named.remove(pronoun)
+        reading.joints = [j for j in reading.joints if j.a is not pronoun and j.b is not pronoun]
+
+
+def _listed_before(reading: Reading, last: Named) -> list[Named]:
+    """A room and those that "and" joins to it, where all have an article."""
+    found = [last]
+    for one in reversed([o for o in reading.named if o.at < last.at]):
+        gap = [t.text for t in reading.tokens[one.last + 1 : found[-1].first]]
+        if gap not in (["and"], ["&"], [","]) or one.told != "article" or one.count != 1:
+            break
+        found.append(one)
+    return found
+
+
+def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
+    """How many people an "each" means: those who were counted last, of the kind that follows it."""
+    tokens = reading.tokens
+    for k in range(at - 1, max(-1, at - 30), -1):
+        if not tokens[k].has("person", "staff", "groups") or tokens[k].text.endswith(("'s", "s'")):
+            continue
+        if who is not None and who.get("person") != tokens[k].get("person") and _single(tokens[k]) != _single(who):
+            continue
+        number = _count(tokens, k)
+        if number is not None and number > 1:
+            return number
+    return None
+
+
+def _people_nearer(reading: Reading, at: int, pronoun: Named) -> bool:
+    """Whether the people stand nearer to an "each" than the rooms that it might mean."""
+    tokens, room = reading.tokens, pronoun.root.at
+    return any(tokens[k].has("person", "staff") and (_count(tokens, k) or 0) > 1 for k in range(room + 1, at))
+
+
+def _told_of(reading: Reading, at: int) -> list[Named]:
+    """The rooms that each one has: to the end of the clause, those with an article."""
+    found: list[Named] = []
+    for one in reading.named:
+        if one.at > at and one.of is None and one.told in ("article", "") and one.count == 1 and one.per is None:
+            if any(t.breaks for t in reading.tokens[at : one.first]):
+                break
+            found.append(one)
+    return found
+
+
 def _gets_a_room(reading: Reading, at: int, sentence: range) -> bool:
     """ "Everyone gets their own room", "we each want a door we can close", "for each of us"."""
     tokens = reading.tokens
@@ -68,7 +164,7 @@ def _of_room(reading: Reading, names: list[Named], at: int) -> Named | None:
         return None
     room = before[-1]
     gap = tokens[room.last + 1 : at]
-    if any(t.breaks or t.done and t.done != "rooms" or t.has("person") and t.text not in ("two",) for t in gap):
+    if any(t.breaks or t.done and t.done != "rooms" for t in gap):
         return None
     ties = [t.text for t in gap]
     if not ties or not {"for", "where", "of", "that", "seats", "seating", "with", "in"} & set(ties[:2]):
@@ -106,7 +202,7 @@ def _workers(reading: Reading, at: int) -> None:
 
 def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     tokens, token = reading.tokens, reading.tokens[at]
-    if token.text.endswith(("'s", "s'")):
+    if token.text.endswith(("'s", "s'")) or at and tokens[at - 1].text in ("each", "every"):
         return
     count = _count(tokens, at)
     if token.has("visitors") and _visits(reading, at, sentence):
@@ -126,7 +222,10 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     role = token.get("person")
     if role is None:
         return
-    if role == "adults" and token.text in ("single",) or depth:
+    if depth:
+        return
+    if token.text == "single":
+        reading.did(at, "people")
         return
     if role == "adults" and at >= 2 and tokens[at - 1].text in ("a", "single", "an") and any(
         t.text in ("i am", "i'm", "am") for t in tokens[max(0, at - 4) : at]
@@ -154,12 +253,23 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
         for t in tokens[at + 1 : at + 5]:
             if t.text in ("share", "together", "shares"):
                 t.done = t.done or "people"
+    if role == "seniors" and not before_article(tokens, at):
+        kin = next((p for p in reading.people if p.role == "adults" and reading.text[p.span.start : p.span.end].lower() in _ELDERS), None)
+        if kin is not None:  # "my father ... grandad": one person
+            reading.people[reading.people.index(kin)] = Person("seniors", 1, kin.span)
+            reading.did(at, "people")
+            return
     named_again = any(t.text in ("the",) for t in before) and any(p.role == role for p in reading.people)
     again = _said_again(reading, role, token, before)
     if not (named_again or again):
         reading.people.append(Person(role, count, token.span))
     reading.did(at, "people")
     _number_done(reading, at)
+
+
+def before_article(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether an article, a number or an owner stands before a word."""
+    return bool(at) and (tokens[at - 1].number is not None or tokens[at - 1].text in _OWNERS)
 
 
 def _said_again(reading: Reading, role: str, token: Token, before: list[Token]) -> bool:

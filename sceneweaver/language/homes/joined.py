@@ -182,6 +182,8 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         many = whole.count is None or whole.count > 1
         own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
         each = left.of is not None and left.count is None or any(t.text in _PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        if not own and not each and many and _is_of_use(reading, whole):
+            continue  # "a flat of three bedrooms with a kitchen"
         if many and (own or each) and (one.told != "number" or one.count == 1):
             one.per = left
         elif many and not each and left.of is None and one.count == 1 and not pointed and whole.told == "total":
@@ -193,6 +195,13 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         for t in tokens[one.last + 1 : one.last + 3]:
             if t.text in _PER_EACH:
                 t.done = t.done or "joint"
+
+
+def _is_of_use(reading: Reading, one: Named) -> bool:
+    """Whether rooms say what a home is: "a flat of three bedrooms"."""
+    if reading.use_at is None or reading.use_at > one.first:
+        return False
+    return [t.text for t in reading.tokens[reading.use_at + 1 : one.first]] in (["of"], ["with"])
 
 
 def _shared(reading: Reading, names: dict[int, Named], sentence: range, at: int) -> None:

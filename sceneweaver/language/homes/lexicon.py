@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.assets.plurals import singular
 from sceneweaver.io import packaged
-from sceneweaver.knowledge.load import read_yaml
+from sceneweaver.knowledge.load import read_yaml, room_words
 
 LONGEST = 9
 """Words of the longest phrase."""
@@ -113,7 +113,7 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         put(names, "place", place)
     for storey, names in words["storeys"].items():
         put(names, "storey", storey)
-    for kind in ("equal", "storey_words", "single_storey", "accessible", "no", "own", "each", "of_them", "them", "soft", "units"):
+    for kind in ("equal", "storey_words", "single_storey", "accessible", "no", "own", "each", "of_them", "them", "soft", "units", "shared_by"):
         put(words[kind], kind)
     for kind, names in words["envelope"].items():
         put(names, kind)
@@ -140,6 +140,10 @@ def known(phrase: str) -> tuple[Mapping[str, Any], bool] | None:
                                                                "groups", "animal")}
         if kept:
             return kept, True
+    if " " in phrase and _single(last) in data("words")["room_heads"]:
+        kind = room_words().get(f"{head} {_single(last)}".strip())
+        if kind is not None:
+            return {"known_room": kind}, single != last
     return None
 
 

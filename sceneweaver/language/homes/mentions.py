@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 
-from sceneweaver.knowledge.load import room_types
+from sceneweaver.knowledge.load import room_types, room_words
 from sceneweaver.language.model import Span
 from sceneweaver.language.vocabulary import vocabulary
 
@@ -36,6 +36,8 @@ def read_mentions(reading: Reading) -> None:
         kind = _kind(reading, at)
         if kind is not None:
             reading.named.append(_named(reading, at, kind))
+        elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
+            reading.named.append(sleeper)
 
 
 def _total(reading: Reading, at: int) -> Named | None:
@@ -47,7 +49,7 @@ def _total(reading: Reading, at: int) -> Named | None:
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     glued = tokens[at - 1].glued
     leads = after is not None and (after.has("use") or after.get("number") is not None or after.text in ("place", "unit"))
-    short = token.text in _BEDS and (leads or glued and not (after is not None and _is_thing(after)))
+    short = token.text in _BEDS and (leads or glued and not (after is not None and is_thing(after)))
     compound = token.text in ("bedroom", "bedrooms") and (leads or glued)
     rooms = token.text in ("room", "rooms", "roomed") and (leads or glued) and not token.plural
     if not (short or compound or rooms) or (rooms and after is not None and after.text == "of"):
@@ -63,6 +65,18 @@ def _total(reading: Reading, at: int) -> Named | None:
     return Named(room_kinds()["bedroom"], at, at - 1, at, span, count, "total")
 
 
+def _sleeper(reading: Reading, at: int) -> Named | None:
+    """ "Grandad sleeps downstairs": his bedroom."""
+    before = reading.tokens[at - 1] if at else None
+    kinds = {"seniors": "senior_bedroom", "couples": "master_bedroom", "parents": "master_bedroom", "children": "childrens_room", "adults": "bedroom",
+             "twins": "childrens_room", "babies": "nursery"}
+    name = kinds.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
+    if name is None:
+        return None
+    reading.did(at, "rooms")
+    return Named(room_kinds()[name], at, at, at, reading.tokens[at].span, 1, "", definite=True, noun=room_kinds()[name].noun)
+
+
 def _kind(reading: Reading, at: int) -> RoomKind | None:
     """The kind of room that a token names here; None where it names none."""
     tokens, use = reading.tokens, reading.use
@@ -74,7 +88,7 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     meant = use.means.get(single)
     if meant is None and not token.has("room", "known_room"):
         return None
-    if after is not None and not token.plural and _is_thing(after) and not after.breaks:
+    if after is not None and not token.plural and is_thing(after) and not after.breaks:
         return None  # "kitchen table", "bathroom door"
     if after is not None and after.text in ("door", "doors", "wall", "window", "windows", "furniture") and not after.breaks:
         return None
@@ -116,7 +130,7 @@ def _unknown_room(tokens: Sequence[Token], at: int) -> bool:
 def _words_before(tokens: Sequence[Token], at: int) -> list[str]:
     found: list[str] = []
     k = at - 1
-    while k >= 0 and len(found) < 3 and not tokens[k].kinds and tokens[k].text.replace("'", "").isalpha():
+    while k >= 0 and len(found) < 3 and not tokens[k].kinds and tokens[k].text.replace("'", "").isalpha() and not tokens[k].done:
         found.insert(0, tokens[k].text)
         k -= 1
     return found
@@ -138,8 +152,11 @@ def known_room(name: str, said: str) -> RoomKind:
 def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     tokens = reading.tokens
     token = tokens[at]
-    noun = kind.noun if token.has("room") else _singular(token)
-    found = Named(kind, at, at, at, token.span, noun=kind.noun or noun)
+    said = _singular(token)
+    noun = said if said in room_words() or said.endswith(f" {kind.noun}") else kind.noun
+    found = Named(kind, at, at, at, token.span, noun=noun)
+    if kind.noun.endswith(" room") and said == "room":
+        found.first = at - len(kind.noun.split()) + 1
     _left(reading, found)
     _right(reading, found)
     first, last = tokens[found.first], tokens[found.last]
@@ -154,7 +171,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
 def _left(reading: Reading, found: Named) -> None:
     """What stands before the name of a room: how many, how large, what it is like."""
     tokens = reading.tokens
-    k, strange = found.at - 1, 0
+    k, strange = found.first - 1, 0
     while k >= 0:
         token = tokens[k]
         if token.breaks or k == reading.use_at or token.done == "rooms" or token.has("joint", "place") and not token.has("own", "size"):
@@ -175,8 +192,8 @@ def _left(reading: Reading, found: Named) -> None:
             found.equal = True
         elif token.has("accessible"):
             found.accessible = True
-        elif token.text == "each" or token.text == "both":
-            pass
+        elif token.text in ("each", "both", "every", "all"):
+            found.all = True
         elif token.has("own", "soft"):
             if token.text in ("several", "many", "few"):
                 found.count = None
@@ -226,7 +243,7 @@ def _right(reading: Reading, found: Named) -> None:
         k += 1
 
 
-def _is_thing(token: Token) -> bool:
+def is_thing(token: Token) -> bool:
     """Whether a token is a thing by the vocabulary of rooms, and nothing of a home."""
     if token.kinds and not set(token.kinds) <= {"staff", "envelope"}:
         return False

@@ -56,25 +56,21 @@ def _bedrooms(reading: Reading, rooms: list[Room]) -> list[str]:
         return []
     generic = [one for one in reading.named if one.of is None and bedroomlike(one.kind) and one.told in ("number", "total")
                and one.kind.name in ("bedroom", "studio_room")]
-    if generic and not (reading.household or reading.own_rooms):
-        return []
     said: list[str] = []
-    need = bedrooms_for(reading)
-    if reading.own_rooms and reading.people and not generic:
-        need = [(kind, count) for kind, count in need]
-    total_told = sum(one.count or 0 for one in generic)
-    for kind, count in need:
-        if generic and total_told:
-            break
-        have = [room for room in own if room.kind.name == kind or kind == "bedroom"]
-        open_ = [room for room in own if room.kind.name == "bedroom" and room not in have]
-        lack = count - len(have) - (len(open_) if kind != "childrens_room" or not open_ else len(open_))
-        own = [room for room in own if room not in have]
-        used = min(len(open_), max(0, count - len(have)))
-        own = [room for room in own if room not in open_[:used]]
-        if lack > 0:
-            _add(rooms, kind, lack)
-            said.append(f"{_counted(kind, lack)}: for those who live there")
+    if not generic:
+        need = dict(bedrooms_for(reading))
+        spare = list(own)
+        for kind in need:  # rooms that are named for those people, then any other bedroom
+            for room in [room for room in spare if room.kind.name == kind][: need[kind]]:
+                spare.remove(room)
+                need[kind] -= 1
+        for kind in need:
+            for room in spare[: need[kind]]:
+                spare.remove(room)
+                need[kind] -= 1
+            if need[kind] > 0:
+                _add(rooms, kind, need[kind])
+                said.append(f"{_counted(kind, need[kind])}: for those who live there")
     if not any(bedroomlike(room.kind) for room in rooms):
         _add(rooms, "bedroom", 1)
         said.append("a bedroom: nothing is said of who sleeps there")
@@ -89,9 +85,8 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     shared = [room for room in baths if room.kind.name != "ensuite" and not any(one.per is not None for one in reading.named if room.id in one.ids)]
     beds = [room for room in rooms if bedroomlike(room.kind)]
     told = any(one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred for one in reading.named)
-    owners = {i for one in reading.named if one.ids and one.kind.counts_as and "bathroom" in (one.kind.name, *one.kind.counts_as) and one.per is not None
-              for i in one.per.ids or one.per.root.ids}
-    if told or owners and len(owners) >= len(beds):
+    own = sum(room.kind.name == "ensuite" for room in rooms)
+    if told or own and own >= len(beds):
         return []
     if shared:
         return []

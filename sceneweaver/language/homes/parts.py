@@ -19,9 +19,9 @@ class Named:
         at, first, last: number of the token that names them, and of the first and the last one of the phrase.
         count: how many; None where it is open ("meeting rooms").
         told: how its number was told: "number", "article", "total" (of a two-bedroom flat), or "" for none.
-        definite: whether it is "the" or somebody's, so that it may have been named before.
+        definite: whether it is "the" or somebody's, so that it may have been named before; all: whether it is every one.
         of: the rooms that it refers to some of.
-        per: the rooms of which each one has its own.
+        per: the rooms of which each one has its own; times: the people of whom each one has.
         size: factor on the usual area, area: (least, most) [m2] of each.
         storey: "ground", "upper" ... as it was said.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
@@ -35,8 +35,10 @@ class Named:
     count: int | None = None
     told: str = ""
     definite: bool = False
+    all: bool = False
     of: Named | None = None
     per: Named | None = None
+    times: int = 1
     size: float | None = None
     area: tuple[float, float] | None = None
     equal: bool = False

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from sceneweaver.language.model import Span, Unread
-from sceneweaver.plans import room_type
 from sceneweaver.language.vocabulary import category_of, vocabulary
+from sceneweaver.plans import room_type
+from sceneweaver.plans import room_types as plan_types
 
 from .areas import set_areas
 from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
@@ -23,6 +24,9 @@ from .site import read_site
 from .tokens import Spoken, spoken
 from .use_named import use_by_rooms, use_in
 from .wishes import read_wishes
+
+
+_OF_CHILDREN = ("nursery", "childrens_room", "teen_bedroom", "playroom")
 
 
 def read_home(request: str) -> HomeRequest:
@@ -93,6 +97,9 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         reading.did(found[1], "use")
         token = said.tokens[found[1]]
         reading.rows.append((token.span, "use", found[0].name.replace("_", " ")))
+    for token in said.tokens:
+        if token.has("use") and token.get("use")[1] and not token.has("room"):
+            reading.did(token, "use")  # where it stands, or what it is called again
     read_mentions(reading)
     read_joints(reading)
     read_floors(reading)
@@ -149,7 +156,7 @@ def _whose(reading: Reading, room: Room) -> str:
 
 def _places(words: str, rooms: list[Room]) -> list[Room]:
     """The rooms in which a thing usually is, else the one where people live."""
-    from sceneweaver.knowledge.likely import told_by
+    from sceneweaver.knowledge.likely import likeliest_room, told_by
     from sceneweaver.knowledge.load import room_types
 
     spoken_words = words.split()
@@ -163,6 +170,13 @@ def _places(words: str, rooms: list[Room]) -> list[Room]:
             found.append((-share, index, room))
     if found:
         return [room for _, _, room in sorted(found, key=lambda one: one[:2])]
+    likely = likeliest_room(categories) if categories else None
+    if likely is not None and likely.name in plan_types():
+        roles = plan_types()[likely.name].roles - {"daylight", "habitable"}
+        alike = [(len(roles & room_type(room.type).roles), room.kind.name in _OF_CHILDREN and likely.name in _OF_CHILDREN, -k) for k, room in enumerate(rooms)]
+        best = max(alike, default=(0, False, 0))
+        if best[0] >= 2:
+            return [rooms[-best[2]]]
     return [room for room in rooms if room.type in ("living_room", "living_kitchen", "living_dining", "open_office", "waiting_room")]
 
 

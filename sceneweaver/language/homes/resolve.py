@@ -47,7 +47,7 @@ def resolve(reading: Reading) -> list[Room]:
     rooms = list[Room]()
     for one in reading.named:
         if one.of is None and one.per is None and not one.barred:
-            _make(reading, rooms, one, _count_of(reading, one))
+            _make(reading, rooms, one, _count_of(reading, one) * one.times)
     for _ in range(2):
         for one in reading.named:
             if one.of is None and one.per is not None and not one.ids and not one.barred:
@@ -79,7 +79,7 @@ def _same(reading: Reading) -> None:
             if whole is None and numbers and not one.told and one is not numbers[0]:
                 whole = numbers[0]
             if whole is not None and one is not whole:
-                _become(one, whole, one.count if one.told else None if one.count is None else 1)
+                _become(one, whole, one.count if one.told else None if one.all or one.count is None else 1)
                 continue
         if one.per is not None:
             continue
@@ -93,7 +93,7 @@ def _same(reading: Reading) -> None:
         if target is None and not one.told:
             target = next((o for o in own[index + 1 :] if o in explicit and o.of is None and o.kind.name == one.kind.name and o.told), None)
         if target is not None and target is not one:
-            _become(one, target, None if one.count is None or target.count == 1 else 1)
+            _become(one, target, None if one.all or one.count is None or target.count == 1 else 1)
 
 
 def _means(one: Named, other: Named) -> bool:

@@ -26,12 +26,15 @@ def read_site(reading: Reading) -> None:
         elif token.has("one_side", "two_sides", "three_sides") and _of_windows(reading, at):
             reading.window_sides = next(n for n, k in ((1, "one_side"), (2, "two_sides"), (3, "three_sides")) if token.has(k))
             reading.rows.append((token.span, "envelope", f"windows on {reading.window_sides} sides"))
-            reading.did(at, "envelope")
+            for k in range(max(0, at - 4), at + 1):
+                if k == at or tokens[k].has("windows"):
+                    reading.did(k, "envelope")
         elif token.has("accessible"):
             _accessible(reading, at)
     _light(reading)
     _sides_by(reading)
-    if reading.use.profile == "accessible":
+    at_home = reading.use.plan in ("flat", "house")  # an accessible toilet alone makes no practice of another profile
+    if reading.use.profile == "accessible" or at_home and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named):
         reading.accessible = True
 
 
@@ -53,12 +56,12 @@ def _area(reading: Reading, at: int) -> None:
 def _length(reading: Reading, at: int) -> None:
     """ "A plot of 6 m", "6 m wide", "7 metre wide plot": width, unless it is said to be deep."""
     tokens = reading.tokens
-    near = {t.text for t in tokens[max(0, at - 3) : at + 3]}
+    near = tokens[max(0, at - 3) : at + 3]
     token = tokens[at]
     deep = any(t.has("deep") for t in tokens[at + 1 : at + 2])
-    if not (near & {"wide", "plot", "lot", "width", "narrow", "deep", "long", "site", "broad", "depth", "wide plot", "wide lot", "building plot"} or deep):
+    if not (deep or any(t.has("plot", "wide", "deep") or t.text == "narrow" for t in near)):
         return
-    if deep or "depth" in near:
+    if deep:
         reading.depth = token.get("length")
     else:
         reading.width = token.get("length")

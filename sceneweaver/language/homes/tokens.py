@@ -6,14 +6,15 @@ import re
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from sceneweaver.language.model import Span
 from sceneweaver.language.source import FOOT, SQUARE_FOOT, check_text
-from sceneweaver.language.translation import language_of, translated
+from sceneweaver.language.translation import UNKNOWN, language_of, translated
 from sceneweaver.language.vocabulary import NUMBERS
 
-from .lexicon import LONGEST, known
+from .lexicon import LONGEST, data, known
 
 MOST = 4000
 """Characters that are read."""
@@ -107,10 +108,59 @@ def spoken(text: str) -> Spoken:
     said = "".join(letters)
     language = language_of(said)
     if language != "en":
-        said, origin = translated(said, origin, language, text)
+        said, origin = _in_english(said, origin, language, text)
     raw = _raw(said)
     found = _phrases(raw, origin)
     return Spoken(text, language, tuple(_numbers(found)))
+
+
+@cache
+def _own_words(language: str) -> re.Pattern[str]:
+    """The words of homes in a language, the longest first."""
+    names = sorted((str(name) for name in data("translations")[language]), key=len, reverse=True)
+    ends = "" if language == "zh" else r"(?![^\W\d_])"
+    begins = "" if language == "zh" else r"(?<![^\W\d_])"
+    return re.compile(begins + "(?:" + "|".join(re.escape(name) for name in names) + ")" + ends)
+
+
+def _in_english(text: str, origin: list[int], language: str, request: str) -> tuple[str, list[int]]:
+    """A request in another language in English. What words of homes mean is told apart from what they mean in one room
+    (a "piso" is a floor there): they stand as codes, which no table has, while the rest is translated."""
+    table = data("translations")[language]
+    letters: list[str] = []
+    places: list[int] = []
+    meant: list[str] = []
+    last = 0
+    for m in _own_words(language).finditer(text):
+        if language == "de" and not request[origin[m.start()]].isupper():
+            continue  # there nouns have capitals, and small words are told by the tables
+        letters += text[last : m.start()]
+        places += origin[last : m.start()]
+        code = f"Q{_letters(len(meant))}q"
+        meant.append(str(table[m[0]]))
+        letters += f" {code} "
+        places += [origin[m.start()]] * (len(code) + 2)
+        last = m.end()
+    letters += text[last:]
+    places += origin[last:]
+    english, places = translated("".join(letters).lower(), places, language, request)
+    found: list[str] = []
+    own: list[int] = []
+    last = 0
+    for m in re.finditer(rf"{UNKNOWN}?q([a-j]+)q(?![a-z])", english):
+        number = int("".join(str("abcdefghij".index(c)) for c in m[1]))
+        if number >= len(meant):
+            continue
+        found += english[last : m.start()]
+        own += places[last : m.start()]
+        found += meant[number]
+        own += [places[m.start()]] * len(meant[number])
+        last = m.end()
+    return "".join(found) + english[last:], own + places[last:]
+
+
+def _letters(number: int) -> str:
+    return "".join("abcdefghij"[int(digit)] for digit in str(number))
 
 
 def _value(text: str) -> float:

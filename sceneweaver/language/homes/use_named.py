@@ -10,11 +10,14 @@ from sceneweaver.language.vocabulary import vocabulary
 from .lexicon import Use, data, room_kinds, uses
 from .tokens import Token
 
-_SETTING = ("in", "of", "at", "from", "near", "to", "into", "inside", "by", "on", "around", "outside", "like", "as", "behind")
+_SETTING = ("in", "of", "at", "from", "near", "to", "into", "inside", "by", "on", "around", "outside", "behind", "under", "above", "below")
+_DETERMINERS = ("a", "an", "the", "our", "my", "your", "his", "her", "their", "this", "that", "some")
+_ASKING = ("need", "needs", "want", "wants", "for", "of", "and", "or", "in", "new", "shared", "my", "buy", "rent", "buying", "design", "plan")
 _WEAK = ("place", "unit", "residence", "home", "hall", "annexe")
 """Names of homes that are also other words."""
 
-_ONE_ROOM = ("studio", "loft", "one room", "tiny", "doll", "dolls", "doll's", "tree", "single room", "play", "wendy", "show", "bed sit")
+_ONE_ROOM = ("studio", "loft", "one room", "tiny", "doll", "dolls", "doll's", "tree", "single room", "play", "wendy", "show", "bed sit",
+             "model", "bird", "dog", "cat", "coffee", "toy", "gingerbread", "chicken", "auction", "opera", "shower", "storage", "wall", "bunk")
 """What stands before a home that is one room, or none to live in."""
 
 _FIRST = ("home", "house", "flat", "apartment")
@@ -26,6 +29,8 @@ def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
     for at, token in enumerate(tokens):
         named = token.get("use")
         if named is None or _is_setting(tokens, at) or _is_modifier(tokens, at) or _is_one_room(tokens, at):
+            continue
+        if named[1] and (token.plural or not _is_noun(tokens, at)):
             continue
         if token.text in _WEAK and not _is_asked(tokens, at):
             continue
@@ -47,11 +52,13 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
     k = at - 1
     while k >= 0 and not tokens[k].breaks and at - k < 6:
         token = tokens[k]
-        if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
-            return not _is_wish_of(tokens, k)
         if token.text == "for":
             return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
-        if token.has("room") and not token.has("use"):
+        if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
+            return not _is_wish_of(tokens, k)
+        in_phrase = token.text in _DETERMINERS or token.number is not None or token.has("own", "soft", "size", "person", "storey_words") or not token.kinds
+        in_phrase = in_phrase or token.text in ("bedroom", "bed", "room", "bath", "bathroom") and tokens[k - 1].number is not None
+        if not in_phrase:
             return False
         k -= 1
     return False
@@ -63,11 +70,32 @@ def _is_wish_of(tokens: Sequence[Token], at: int) -> bool:
     return tokens[at].text == "of" and before in ("plan", "kind", "sort", "type", "layout", "design", "model", "floor plan")
 
 
+def _is_noun(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a name of a home is a noun here, with an article, a number or nothing before what it is like: nothing
+    "lies flat"."""
+    for k in range(at - 1, max(-1, at - 7), -1):
+        token = tokens[k]
+        if token.breaks or token.text in _DETERMINERS or token.number is not None or token.has("room", "use", "storey_words"):
+            return True
+        if token.has("function") and not token.has("own", "size", "soft", "person"):
+            return tokens[at].text != "flat" or token.text in _ASKING
+        if tokens[at].text == "flat" and "verb" in vocabulary().get(token.text, {}):
+            return False
+    return True
+
+
 def _is_modifier(tokens: Sequence[Token], at: int) -> bool:
     """Whether a home only says what kind of thing or room follows: "cabin living room", "house plants"."""
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     if after is None or after.breaks or after.number is not None:
         return False
+    if tokens[at].text == "flat" and not after.kinds:
+        return True
+    k = at + 1
+    while k < len(tokens) and k < at + 4 and not tokens[k].kinds:
+        k += 1
+    if k > at + 1 and k < len(tokens) and tokens[k].has("room") and not tokens[k].plural:
+        return True  # "a farmhouse retreat bedroom"
     if after.text in ("style", "styled", "themed", "like", "type", "feel", "atmosphere", "vibe", "room", "rooms", "corner", "nook"):
         return True
     if after.has("room", "known_room") and not after.has("joint", "storey", "own", "function"):
@@ -82,6 +110,9 @@ def _is_one_room(tokens: Sequence[Token], at: int) -> bool:
     """ "A studio apartment", "a tiny house" are one room."""
     before = tokens[at - 1].text if at else ""
     two = f"{tokens[at - 2].text} {before}" if at > 1 else ""
+    after = [t.text for t in tokens[at + 1 : at + 4]]
+    if after in (["of", "one", "room"], ["with", "one", "room"], ["in", "one", "room"]):
+        return True
     return before in _ONE_ROOM or two in _ONE_ROOM or (before == "room" and at > 1 and tokens[at - 2].text in ("one", "1", "single"))
 
 
@@ -89,12 +120,11 @@ def _is_asked(tokens: Sequence[Token], at: int) -> bool:
     """Whether a word that often is no home is one: with an article, or behind its rooms."""
     token = tokens[at]
     before = [t.text for t in tokens[max(0, at - 4) : at]]
-    behind_rooms = any(t.has("room") or t.text in ("bed", "bath", "beds", "baths", "storey", "story") for t in tokens[max(0, at - 5) : at])
-    if token.text in ("place", "unit", "hall"):
-        return behind_rooms
-    return behind_rooms or bool({"a", "an", "new", "our", "the", "this", "family", "one", "storey"} & set(before)) or at == 0 or (
-        tokens[at - 1].breaks
-    )
+    behind_rooms = bool({"bed", "beds", "bath", "baths", "bedroom", "bedrooms", "storey", "story"} & set(before))
+    if token.text in ("place", "unit", "hall") or token.plural:
+        return behind_rooms and not token.plural
+    first = at == 0 or tokens[at - 1].breaks
+    return first or behind_rooms or bool({"a", "an", "new", "our", "the", "this", "family", "one"} & set(before))
 
 
 def _after_rooms(tokens: Sequence[Token], at: int) -> bool:

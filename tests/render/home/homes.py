@@ -64,7 +64,7 @@ def house() -> Home:
         HomeDoor(id="front", room="hall", wall=0, offset=0.5, width=1.0, height=2.1, opens_into="hall", hinge="right"),
         HomeDoor(id="d-wc", room="wc", wall=3, offset=0.4, width=0.8, to="hall", opens_into="wc"),
         HomeDoor(id="d-kitchen", room="hall", wall=1, offset=2.2, width=0.9, to="kitchen", kind="sliding"),
-        HomeDoor(id="d-living", room="living", wall=0, offset=0.4, width=1.4, to="hall", kind="double"),
+        HomeDoor(id="d-living", room="living", wall=0, offset=0.4, width=1.4, to="hall", kind="double", opens_into="living"),
         HomeDoor(id="d-eat", room="living", wall=0, offset=2.6, width=1.6, to="kitchen", kind="open"),
         HomeDoor(id="d-stairs", room="living", wall=0, offset=6.1, width=0.9, to="stairs", opens_into="living"),
         HomeDoor(id="d-terrace", room="living", wall=2, offset=0.6, width=2.0, to="terrace", kind="sliding"),

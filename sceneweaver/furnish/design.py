@@ -1,0 +1,419 @@
+"""``design_home``: from a request in words to a whole home, planned, furnished, checked and written."""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections.abc import Callable, Mapping
+from contextlib import nullcontext
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, get_args
+
+from sceneweaver.assets import Library
+from sceneweaver.export import format_named, formats_named
+from sceneweaver.export.formats import USUAL
+from sceneweaver.home import Home
+from sceneweaver.language.homes import HomeRequest, is_home, read_home
+from sceneweaver.language.homes import room_requests as told_requests
+from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, envelope_for
+from sceneweaver.runtime.deadline import Deadline, Stop
+from sceneweaver.runtime.options import PictureSet
+from sceneweaver.scene import InputError
+from sceneweaver.verify.home import HomeReport, check_home
+
+from .deliver import deliver
+from .demands import furnishable, raised
+from .folder import HomeFolder
+from .home import FurnishedHome, furnish_home
+from .jobs import FurnishedRoom
+from .planning import plan_home
+from .result import HomeResult
+
+TIME = 600.0
+"""Time limit [s] where none is given."""
+
+AGAIN = 2
+"""Times at most that the plan is solved again because its rooms could not be furnished."""
+
+WALKS = 2
+"""Times at most that rooms are furnished anew in which something cannot be walked to."""
+
+PLANS, FILES = 0.25, 0.3
+"""Shares of the time that plans may take, and that is kept for files and pictures."""
+
+ENVELOPES = 3
+"""Envelopes that are tried where the first one that was chosen takes no valid plan."""
+
+
+def design_home(
+    prompt: str = "",
+    *,
+    seed: int = 0,
+    out: str | Path | None = None,
+    programme: Programme | None = None,
+    envelope: Envelope | None = None,
+    profile: str | None = None,
+    device: str = "auto",
+    workers: int | None = None,
+    plans: int = 1024,
+    candidates: int | None = None,
+    steps: int = 10,
+    clutter: float = 0.4,
+    time_limit: float | str | None = "auto",
+    pictures: PictureSet | bool = "full",
+    export: str | tuple[str, ...] | list[str] | None = None,
+    library: Library | None = None,
+    said: Callable[[str], None] | None = None,
+    stop: Stop | None = None,
+    began: float | None = None,
+) -> HomeResult:
+    """Design a whole home from a request in words, or from a programme.
+
+    The request becomes a programme of rooms with areas and neighbourhoods; what their furniture needs is asked of the
+    plan before it is solved. Of many valid plans the best is furnished, all rooms together. Where a room of it cannot
+    hold what it has to, the programme asks for more of that room and the plan is solved again, at most twice.
+
+    Args:
+        prompt: the request, in English; may be empty where a programme is given.
+        seed: equal seeds give equal homes.
+        out: a folder for the home, its pictures and models; a run that was cut off goes on there.
+        programme: the rooms, instead of those that the request names.
+        envelope: what the plan has to fit into; None: as the request says, or chosen for the programme.
+        profile: rules that the plan keeps, such as "accessible"; None: as the request says.
+        device: "auto", "cpu", "cuda" or "cuda:k".
+        workers: processes that furnish rooms side by side; None: one for each core.
+        plans: plans that are searched for at once.
+        candidates: layouts that are refined for each call of a tool in a room; None: by the kind of device.
+        steps: steps of the agent in a room at most.
+        clutter: how lived-in the rooms look, from 0 to 1.
+        time_limit: seconds that all may take, files included; None: as long as it takes; "auto": 600.
+        pictures: "full", all of them; "hero", plans and views from above; "none", plans alone and no page. True and
+            False mean "full" and "none".
+        export: models that are written into ``out``: glb, usd, mjcf, sdf, urdf; "all" or "none"; None: glb, usd, mjcf.
+        library: where assets come from; None: the library of this user.
+        said: called with a line for each thing that was done.
+        stop: asks it to end before, with what is best then.
+        began: when the time began to run, by ``time.monotonic()``; None: now.
+
+    Raises:
+        InputError: for a request that says nothing, arguments out of range, a folder that cannot be used, or a
+            programme of which no plan keeps all rules.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> result = sw.design_home("a studio flat", seed=1, plans=64, steps=1, candidates=8, workers=1, device="cpu")
+        >>> result.plan_report.valid, all(room.scene is not None for room in result.rooms.values())
+        (True, True)
+    """
+    started = time.monotonic() if began is None else began
+    wanted = _pictures(pictures)
+    formats = formats_named(USUAL if export is None else export, homes=True)
+    for name in formats:
+        format_named(name).for_homes()  # says what homes are not written in
+    if isinstance(time_limit, str) and time_limit != "auto":
+        raise InputError(f"time_limit: {time_limit!r} is no time; give seconds, None or 'auto'")
+    seconds = TIME if isinstance(time_limit, str) else time_limit
+    if seconds is not None and not seconds > 0:
+        raise InputError(f"time_limit: {seconds:g} is no time; give seconds above 0, or None")
+    if not prompt.strip() and programme is None:
+        raise InputError("prompt: is empty; say what home is wanted, or give a programme")
+    limit = Deadline(started + (seconds or math.inf), stop=stop or Stop())
+    asked = _Asked.of(prompt, programme, envelope, profile)
+    folder = HomeFolder(Path(out)) if out is not None else None
+    rooms = {"steps": steps, "candidates": candidates, "clutter": clutter}
+    run = _Run(asked, seed, device, workers, plans, rooms, limit, folder, said, library)
+    with folder.held() if folder is not None else nullcontext():
+        result = run.go(started)
+        if folder is None:
+            return result
+        done = deliver(result, folder.path, library or Library(), device, wanted, formats, limit)
+        return replace(done, out=folder.path, seconds=_total(done.seconds, started))
+
+
+def asks_for_home(prompt: str) -> bool:
+    """Whether a request is for a whole home, practice or office, and not for one room.
+
+    Examples:
+        >>> from sceneweaver.furnish import asks_for_home
+        >>> asks_for_home("a two-bedroom flat"), asks_for_home("a bedroom with a desk")
+        (True, False)
+    """
+    return is_home(prompt)
+
+
+def _pictures(value: PictureSet | bool) -> PictureSet:
+    if isinstance(value, bool):
+        return "full" if value else "none"
+    if value not in get_args(PictureSet):
+        raise InputError(f"pictures: {value!r} is none of {', '.join(get_args(PictureSet))}")
+    return value
+
+
+def _total(seconds: Mapping[str, float], started: float) -> dict[str, float]:
+    return {**seconds, "total": round(time.monotonic() - started, 3)}
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What is asked for: a programme with what its rooms are to hold, and what the plan fits into."""
+
+    prompt: str
+    programme: Programme
+    profile: str
+    envelope: Envelope | None
+    request: HomeRequest | None
+
+    @classmethod
+    def of(cls, prompt: str, programme: Programme | None, envelope: Envelope | None, profile: str | None) -> _Asked:
+        request = read_home(prompt) if prompt.strip() and programme is None else None
+        made = programme or (request.programme if request is not None else None)
+        assert made is not None
+        rules = profile or (request.profile if request is not None else "base")
+        return cls(prompt, made, rules, envelope, request)
+
+    def envelope_of(self, programme: Programme, seed: int) -> Envelope:
+        """What a plan of the programme has to fit into."""
+        if self.envelope is not None:
+            return self.envelope
+        if self.request is not None:
+            return replace(self.request, programme=programme).envelope(seed)
+        return envelope_for(programme, seed)
+
+    def told(self, home: Home) -> dict[str, str]:
+        """By room, what the request says of it."""
+        return told_requests(self.request, home, told_only=True) if self.request is not None else {}
+
+    @property
+    def style(self) -> str:
+        """The words for the look of all rooms, as a request."""
+        styles = " ".join(self.request.styles) if self.request is not None else ""
+        return f"a {styles} home" if styles else "a home"
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was assumed of the request."""
+        if self.request is None:
+            return ()
+        unread = [f"not understood: {word.words}" for word in self.request.unread]
+        return (*self.request.assumed, *self.request.notes, *unread)
+
+
+@dataclass
+class _Run:
+    """A request on its way to a home."""
+
+    asked: _Asked
+    seed: int
+    device: str
+    workers: int | None
+    plans: int
+    rooms: Mapping[str, Any]
+    limit: Deadline
+    folder: HomeFolder | None
+    said: Callable[[str], None] | None
+    library: Library | None
+    log: list[str] = field(default_factory=list)
+    spent: dict[str, float] = field(default_factory=dict)
+
+    def go(self, started: float) -> HomeResult:
+        """Plan, furnish, and go back to the plan where that does not hold what it has to."""
+        programme, raises = furnishable(self.asked.programme, self._texts())
+        first, home = 0, None
+        if self.folder is not None:
+            had = self.folder.begin(self._key)
+            home = self.folder.plan() if had else None
+            if home is not None:
+                first, self.log = int(had["round"]), [str(line) for line in had["log"] or ()]
+                programme = Programme.loads(str(had["asked"]))
+                self._say("went on from the plan of the run that was cut off")
+        if home is None:
+            self._say(*raises)
+        best: tuple[tuple[float, ...], FurnishedHome, Programme, PlanReport] | None = None
+        for round_ in range(first, AGAIN + 1):
+            if home is None:
+                try:
+                    home = self._planned(programme, round_)
+                except InputError:
+                    if best is None:
+                        raise
+                    self._say("no plan gives these rooms more; the one before stays")
+                    break
+            plan_report = check_plan(home, self.asked.programme, self.asked.profile)
+            done = self._furnished(home)
+            worth = _worth(done)
+            if best is None or worth > best[0]:
+                best = worth, done, programme, plan_report
+            failing = [name for name, room in done.rooms.items() if not room.satisfied and _known(programme, name)]
+            if not failing or round_ == AGAIN or self.limit.passed or done.cut_off:
+                break
+            programme, raises = raised(programme, failing)
+            self._say(*raises)
+            home = None
+        assert best is not None
+        _, done, programme, plan_report = best
+        done, report = self._walked(done)
+        unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
+        failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
+        return HomeResult(
+            done.home,
+            report,
+            plan_report,
+            programme,
+            done.rooms,
+            tuple(dict.fromkeys((*unmet, *failed))),
+            self.asked.notes,
+            tuple(self.log),
+            done.style,
+            _total(self.spent, started),
+            (f"rooms: {done.cut_off}",) if done.cut_off else (),
+        )
+
+    @property
+    def _key(self) -> dict[str, Any]:
+        asked = self.asked
+        envelope = None if asked.envelope is None else asked.envelope.model_dump(mode="json")
+        return {
+            "prompt": asked.prompt,
+            "programme": asked.programme.dumps(),
+            "envelope": envelope,
+            "profile": asked.profile,
+            "seed": self.seed,
+            "plans": self.plans,
+            "rooms": dict(self.rooms),
+        }
+
+    def _texts(self) -> dict[str, str]:
+        request = self.asked.request
+        return told_requests(request, told_only=True) if request is not None else {}
+
+    def _say(self, *lines: str) -> None:
+        for line in lines:
+            self.log.append(line)
+            if self.said is not None:
+                self.said(line)
+
+    def _lap(self, name: str, began: float) -> None:
+        self.spent[name] = round(self.spent.get(name, 0.0) + time.monotonic() - began, 3)
+
+    def _planned(self, programme: Programme, round_: int) -> Home:
+        """The plan of a programme; of several envelopes that are ours to choose, the first that takes one."""
+        began, wrong = time.monotonic(), None
+        for k in range(1 if self.asked.envelope is not None else ENVELOPES):
+            left = self.limit.left
+            try:
+                chosen = plan_home(
+                    programme,
+                    self.asked.envelope_of(programme, self.seed + k),
+                    seed=self.seed,
+                    profile=self.asked.profile,
+                    candidates=self.plans,
+                    device=self.device,
+                    time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
+                    prompt=self.asked.prompt,
+                )
+                break
+            except InputError as error:
+                wrong = wrong or error
+        else:
+            assert wrong is not None
+            raise wrong
+        self._lap("plan", began)
+        short = "".join(f"; {name} lacks {more:.2f} m of wall" for name, more in chosen.lacking.items())
+        self._say(
+            f"plan {round_ + 1}: {chosen.valid} valid plans, the best of {chosen.distinct} distinct ones has "
+            f"{len(chosen.report.soft)} soft rules unmet{short}"
+        )
+        if self.folder is not None:
+            self.folder.planned(
+                self._key, chosen.home, programme.dumps(), round=round_, log=self.log, asked=programme.dumps()
+            )
+        return chosen.home
+
+    def _furnished(self, home: Home, seeds: Mapping[str, int] | None = None) -> FurnishedHome:
+        began, left = time.monotonic(), self.limit.left
+        done = furnish_home(
+            home,
+            self.asked.told(home),
+            seed=self.seed,
+            seeds=seeds,
+            prompt=self.asked.style,
+            device=self._rooms_on,
+            workers=self.workers,
+            time_limit=None if math.isinf(left) else max(1.0, (1 - FILES) * left),
+            kept=self.folder.kept if self.folder is not None else None,
+            said=self._room_said,
+            finished=self.folder.keep if self.folder is not None else None,
+            stop=self.limit.stop,
+            **self.rooms,
+        )
+        self._lap("rooms", began)
+        return done
+
+    @property
+    def _rooms_on(self) -> str:
+        """Where rooms are laid out: side by side on the cores, unless a GPU is asked for by name."""
+        return "cpu" if self.device == "auto" else self.device
+
+    def _room_said(self, room: FurnishedRoom) -> None:
+        grade = f"grade {room.review.total:.1f}" if room.review is not None else "failed"
+        wrong = "; ".join(
+            [*room.unmet, *(f"no {what}" for what in room.lacking), *([room.failed] if room.failed else [])]
+        )
+        objects = len(room.scene.objects) if room.scene is not None else 0
+        self._say(f"{room.room_id}: {objects} objects, {grade}" + (f"; {wrong}" if wrong else ""))
+
+    def _walked(self, done: FurnishedHome) -> tuple[FurnishedHome, HomeReport]:
+        """The home, with rooms furnished anew in which something cannot be walked to, and the judge's verdict on it."""
+        began = time.monotonic()
+        report = check_home(done.home)
+        seeds: dict[str, int] = {}
+        for again in range(WALKS):
+            names = sorted(_in_the_way(done.home, report) & done.rooms.keys())
+            if not names or self.limit.passed or done.cut_off:
+                break
+            self._say(f"not all can be walked to in {', '.join(names)}: furnished anew")
+            seeds |= {name: random.Random(f"walk {name} {again} {self.seed}").randrange(2**32) for name in names}
+            other = self._furnished(done.home, seeds)
+            verdict = check_home(other.home)
+            if _reached(verdict) > _reached(report):
+                done, report = other, verdict
+            else:
+                seeds = {name: seed for name, seed in seeds.items() if name not in names}
+        self._lap("walks", began)
+        return done, report
+
+
+def _known(programme: Programme, name: str) -> bool:
+    return any(spec.id == name for spec in programme.rooms)
+
+
+def _worth(done: FurnishedHome) -> tuple[float, ...]:
+    """Larger is better: rooms that are as they should be, then the grades of all."""
+    rooms = list(done.rooms.values())
+    grades = [room.review.total for room in rooms if room.review is not None]
+    return float(sum(r.satisfied for r in rooms) - len(rooms)), round(sum(grades) / max(1, len(rooms)), 6)
+
+
+def _reached(report: HomeReport) -> tuple[float, ...]:
+    access = report.access
+    lost = len(access.unreached_rooms) + len(access.blocked_doors)
+    return float(report.valid), -float(lost), -float(len(report.violations)), round(access.walkable_share, 6)
+
+
+def _in_the_way(home: Home, report: HomeReport) -> set[str]:
+    """Rooms whose furniture may be why something is not walked to: those of the things, and of blocked doors; of rooms
+    that are not reached those beside them that are."""
+    access = report.access
+    found = {name.partition("/")[0] for name in access.unreached_objects}
+    doors = {door.id: door for door in home.doors}
+    for name in access.blocked_doors:
+        found |= {doors[name].room, doors[name].to or doors[name].room} if name in doors else set()
+    lost = {*access.unreached_rooms}
+    if lost:
+        graph = home.graph()
+        beside = {room for name in lost for room, _ in graph[name]} - lost
+        found = (found - lost) | beside
+    found |= {name for v in report.violations if v.kind in ("through_wall", "blocked_leaf", "room") for name in v.rooms}
+    return found
