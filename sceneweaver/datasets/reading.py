@@ -24,7 +24,8 @@ from .seals import DamagedError, kind_fault, open_own, require_inside
 from .tables import read_table
 
 SCENE = ("glb", "xml", "usdc")
-"""Suffixes that become ``scene.<suffix>``, as a design has them; other files have the names of their suffixes."""
+"""Suffixes that become ``scene.<suffix>``, or ``home.<suffix>`` of a home, as a design has them; other files have the
+names of their suffixes."""
 
 
 @dataclass(frozen=True)
@@ -225,5 +226,6 @@ def _files(folder: Folder, key: str, row: dict[str, Any]) -> dict[str, bytes]:
         if found is not None:
             if row.get("content_hash") and content_of(found) != (row["content_hash"], row["bytes"]):
                 raise InputError(f"key: scene {key} in {path} is not what was delivered; fetch it anew")
-            return {f"scene.{suffix}" if suffix in SCENE else suffix: text for suffix, text in found.items()}
+            what = "home" if "home.json" in found else "scene"
+            return {f"{what}.{suffix}" if suffix in SCENE else suffix: text for suffix, text in found.items()}
     raise InputError(f"key: no shard of {folder.path} has scene '{key}'; fetch all of the data set")

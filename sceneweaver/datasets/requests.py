@@ -11,6 +11,7 @@ import numpy as np
 
 import sceneweaver
 from sceneweaver.io import load_csv
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.scene import InputError
 
 from .spec import Spec, Weights
@@ -64,6 +65,8 @@ class Requests:
         self.spec = spec
         self.folder = folder
         self._prompts = _prompts(spec, folder)
+        if spec.product == "homes":
+            _require_known(spec)
 
     def __len__(self) -> int:
         return -(-self.spec.count // self.spec.rooms.layouts)
@@ -82,7 +85,7 @@ class Requests:
             prompt = self._prompts[room % len(self._prompts)]
         else:
             kind = _drawn(rng, spec.requests.programmes or spec.requests.kinds or {})
-            prompt = _words(spec, kind, rng) if spec.requests.programmes is None else ""
+            prompt = _words(spec, kind, rng)
         index = room * spec.rooms.layouts
         return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter, scene)
 
@@ -95,6 +98,19 @@ class Requests:
         """The rooms of a block."""
         first = number * self.spec.block
         return [self[room] for room in range(first, min(first + self.spec.block, len(self)))]
+
+
+def _require_known(spec: Spec) -> None:
+    """Refuse programmes and a profile that do not ship with the library."""
+    from sceneweaver.plans import profile_names, programme_names
+
+    for name in spec.requests.programmes or ():
+        if name not in programme_names():
+            fix = suggest(name, programme_names(), what="programmes")
+            raise InputError(f"requests.programmes: there is no programme {quote(name)}{fix}")
+    if spec.of_homes.profile not in profile_names():
+        fix = suggest(spec.of_homes.profile, profile_names(), what="profiles")
+        raise InputError(f"homes.profile: there is no profile {quote(spec.of_homes.profile)}{fix}")
 
 
 def _drawn(rng: np.random.Generator, weights: Weights) -> str:

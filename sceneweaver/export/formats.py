@@ -36,6 +36,7 @@ class Format:
         shared: As ``writer``, for data sets: called with scene, load and ``shared``, where meshes and images go, it
             returns the bytes of the file; empty: data sets do not have it.
         home: As ``writer``, called with a home; empty: homes are not written in it.
+        home_shared: As ``shared``, called with a home; empty: data sets of homes do not have it.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Format:
     clients: tuple[str, ...] = ()
     shared: str = ""
     home: str = ""
+    home_shared: str = ""
 
     def write(self, scene: Scene | Home, path: Path, load: Load, textures: bool) -> None:
         """Write a scene to a path, whole or not at all; the format of `for_homes` writes a home."""
@@ -61,10 +63,11 @@ class Format:
         if not self.home:
             known = ", ".join(name for name, one in FORMATS.items() if one.home)
             raise _wrong(f"export: '{self.name}' is for single rooms; homes are written as {known}")
-        return replace(self, file="home" + self.file.removeprefix("scene"), writer=self.home)
+        file = "home" + self.file.removeprefix("scene")
+        return replace(self, file=file, writer=self.home, shared=self.home_shared)
 
-    def shared_bytes(self, scene: Scene, load: Load, shared: Any) -> bytes:
-        """The file of a scene whose meshes and images are ``SharedFiles``."""
+    def shared_bytes(self, scene: Scene | Home, load: Load, shared: Any) -> bytes:
+        """The file of a scene whose meshes and images are ``SharedFiles``; of a home in the format of `for_homes`."""
         return _function(self.shared)(scene, load, shared=shared)
 
 
@@ -84,6 +87,7 @@ FORMATS: dict[str, Format] = {
             (0.3, 0.005),
             shared="glb:glb_bytes",
             home="home.glb:write_home_glb",
+            home_shared="home.glb:home_glb_bytes",
         ),
         Format(
             "usd",
@@ -93,6 +97,7 @@ FORMATS: dict[str, Format] = {
             (0.4, 0.026),
             shared="usd:usd_bytes",
             home="home.usd:write_home_usd",
+            home_shared="home.usd:home_usd_bytes",
         ),
         Format(
             "usda",
@@ -111,6 +116,7 @@ FORMATS: dict[str, Format] = {
             ("mujoco", "robosuite", "genesis", "drake", "dm_control", "newton"),
             "mjcf:mjcf_bytes",
             "home.mjcf:write_file",
+            "home.mjcf:home_mjcf_bytes",
         ),
         Format("scenestate", "scenestate.json", "SceneState, with models/", "scenestate:write_file", (0.1, 0.004)),
         Format(

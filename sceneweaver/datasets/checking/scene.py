@@ -245,7 +245,7 @@ class Judge:
             try:
                 document: Any = read(files[suffix])
                 lines = list(misplaced(scene, frames(document)))
-                self._named(row, suffix, set(names(document)), found)
+                self.named(row, suffix, set(names(document)), found)
             except (InputError, ArithmeticError, LookupError, TypeError, ValueError) as error:
                 found.fault("export", key, f"{suffix}: {error}")
                 continue
@@ -253,7 +253,7 @@ class Judge:
             for line in lines[:3]:
                 found.fault("export", key, f"{suffix}: {line}")
 
-    def _named(self, row: Mapping[str, Any], suffix: str, names: set[str], found: Findings) -> None:
+    def named(self, row: Mapping[str, Any], suffix: str, names: set[str], found: Findings) -> None:
         """Files that an export names, and those that MJCF files of the store name, are there, and in the row."""
         left = set(names)
         while left:

@@ -101,6 +101,8 @@ _TOGETHER = 16  # scenes of a task
 _ROW = ["key", "status", "shard", "prompt", "room_type", "area", "wall_count", "object_count", "relation_count"]
 _ROW += ["categories", "assets", "valid", "collisions", "out_of_bounds", "relations_satisfied", "walkable_share"]
 _ROW += ["content_hash", "bytes"]
+_HOME_ROW = ["kind", "storeys", "room_count", "room_types", "door_count", "plan_valid", "furnished", "reachable_share"]
+_HOME_ROW += ["unreached", *_ROW]
 
 _ZERO = ("collisions", "judged", "out of bounds", "scenes")  # counts that are said at zero, too
 
@@ -186,7 +188,7 @@ def verify_dataset(
                 tables.check_version(dataset, rows_of(folder, ["version"]), found)
                 tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder, found))
                 tables.check_statistics(folder, rows_of(folder), found)
-                work = _scenes(folder, _table(folder), spec, found, sample, stability)
+                work = _scenes(folder, _table(folder, spec), spec, found, sample, stability)
     done = 0
     for result in results(chain(_digests(folder, found), work), workers):
         found.add(result)
@@ -220,6 +222,10 @@ def _scenes(
     judged = _chosen(list(places), sample)
     simulated = dict.fromkeys(_chosen(sorted(judged), COMPILED), 0.0) if "mjcf" in spec.exports else {}
     judge = Judge(folder.path, spec.exports, still=spec.gates.still)
+    if spec.product == "homes":
+        from .home import HomeJudge  # which loads plans and words
+
+        judge = HomeJudge(folder.path, spec.exports, still=spec.gates.still, homes=spec.of_homes)
     simulated |= dict.fromkeys(_chosen(sorted(judged), stability), judge.seconds)
     spans: list[Span] = []
     for shard in shards_of(folder):
@@ -237,11 +243,12 @@ def _scenes(
     tables.check_spans(spans, shards, found)
 
 
-def _table(folder: Folder) -> Any:
+def _table(folder: Folder, spec: Spec) -> Any:
     """What is compared of the index, as an Arrow table: names that many rows share are held once."""
     shared = [f"{name}.list.element" for name in ("assets", "categories")]
+    names = _HOME_ROW if spec.product == "homes" else _ROW
     with open_table(folder.index, dictionaries=shared) as file:
-        return file.read(columns=[name for name in _ROW if name in file.schema_arrow.names])
+        return file.read(columns=[name for name in names if name in file.schema_arrow.names])
 
 
 def _chosen(keys: Sequence[str], count: int | None) -> frozenset[str]:

@@ -299,8 +299,8 @@ def _made(folder: Folder, spec: Spec, kind: str, inputs: dict[str, bytes]) -> Da
 def devices(name: str, spec: Spec) -> list[str]:
     """The devices that a name stands for, see `pick_devices`; the CPU without looking for a GPU.
 
-    "auto" is the CPU for furnished scenes and homes: the workers of a machine, one for each core, have many small searches, for
-    which they would stand in line at a GPU (on one H200, sixteen of them made no block in a minute).
+    "auto" is the CPU for furnished scenes and homes: the workers of a machine, one for each core, have many small
+    searches, for which they would stand in line at a GPU (on one H200, sixteen of them made no block in a minute).
     """
     if name == "cpu" or (name == "auto" and spec.product != "layouts"):
         return ["cpu"]

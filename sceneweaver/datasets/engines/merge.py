@@ -90,7 +90,7 @@ def _join(parts: Sequence[Dataset], out: Path) -> Dataset:
         if whole(part) and (damaged := lost(part)):
             raise InputError(f"{part.folder.path / damaged[0][0]}: {damaged[0][1]}; resume that data set first")
         if part.spec.product != "scenes" or not whole(part):
-            what = "holds layouts" if part.spec.product != "scenes" else "is not whole"
+            what = f"holds {part.spec.product}" if part.spec.product != "scenes" else "is not whole"
             raise InputError(
                 f"{part.folder.path} {what}: data sets of different specifications are joined as whole scenes"
             )

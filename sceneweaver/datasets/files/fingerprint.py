@@ -43,13 +43,7 @@ MIRROR = np.diag([1.0, -1.0])
 
 def fingerprint(scene: Scene) -> dict[str, Any]:
     """What packing needs of a scene to find near-duplicates: its signature and its large furniture as plain data."""
-    layout = Layout.of(scene)
-    furniture = {
-        "outline": _rounded(layout.outline),
-        "categories": list(layout.categories),
-        "boxes": _rounded(layout.boxes),
-    }
-    return {"layout_signature": layout.signature, "furniture": furniture}
+    return Layout.of(scene).columns
 
 
 @dataclass(frozen=True)
@@ -81,6 +75,16 @@ class Layout:
         """The layout from the plain data of `fingerprint`."""
         boxes = np.array(furniture["boxes"], dtype=float).reshape(-1, 5)
         return cls(np.array(furniture["outline"], dtype=float), tuple(furniture["categories"]), boxes)
+
+    @property
+    def columns(self) -> dict[str, Any]:
+        """Its signature, and itself as the plain data of `from_row`."""
+        furniture = {
+            "outline": _rounded(self.outline),
+            "categories": list(self.categories),
+            "boxes": _rounded(self.boxes),
+        }
+        return {"layout_signature": self.signature, "furniture": furniture}
 
     def views(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """The layout in each of its frames: extents of the room [m], shape [2], and boxes, shape [thing, 5]."""

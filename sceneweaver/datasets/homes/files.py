@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import shapely
 
 from sceneweaver.assets import Library
 from sceneweaver.home import Home
 from sceneweaver.navigation import (
-    EpisodeSet,
     Roadmap,
     navigation_graph,
     object_goal_episodes,
@@ -23,13 +23,10 @@ from sceneweaver.navigation.habitat import packed_episodes
 from sceneweaver.verify.home import HomeReport, Ways
 
 from ..describe import describe
-from ..files import fingerprint
+from ..files.fingerprint import Layout
 from ..spec import Spec
 from ..store import AssetStore
 from ..store.scene_files import scene_files
-
-Episodes = tuple[EpisodeSet, EpisodeSet]
-"""To points, and to things."""
 
 
 def home_files(
@@ -130,6 +127,23 @@ def asset_columns(home: Home, library: Library) -> dict[str, Any]:
 def home_fingerprint(home: Home) -> dict[str, Any]:
     """What packing needs of a home to find near-duplicates: as for a room, of its walls and all large furniture.
 
-    Each room stands for a thing of its kind and area in its middle, that looks away from the middle of the home.
+    Each room stands for a thing of its kind and area in its middle that looks away from the middle of the home, so that
+    plans are told apart by their rooms as rooms are by their furniture.
     """
-    return fingerprint(home)
+    order = {storey.id: number for number, storey in enumerate(home.storeys)}
+    floors = [shapely.Polygon(room.outline) for room in home.rooms]
+    hull: Any = shapely.union_all(floors).convex_hull
+    outline = np.asarray(hull.exterior.coords)[:-1][::-1]
+    middle = np.array(hull.centroid.coords[0])
+    boxes: list[tuple[str, tuple[float, ...]]] = []
+    for room, floor in zip(home.rooms, floors, strict=True):
+        storey, side = order[room.storey], float(np.sqrt(floor.area))
+        at = np.array(floor.centroid.coords[0])
+        out = at - middle
+        boxes.append((f"{storey} room {room.type}", (*at, float(np.arctan2(out[1], out[0])), side, side)))
+        if room.scene is not None:
+            things = Layout.of(room.scene)
+            named = (f"{storey} {name}" for name in things.categories)
+            boxes += zip(named, map(tuple, things.boxes.tolist()), strict=True)
+    boxes.sort(key=lambda box: box[0])
+    return Layout(outline, tuple(name for name, _ in boxes), np.array([box for _, box in boxes])).columns

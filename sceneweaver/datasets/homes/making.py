@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from sceneweaver.assets import Library
+from sceneweaver.furnish.planning import plan_home
 from sceneweaver.home import Home
-from sceneweaver.io import InputError
-from sceneweaver.plans import PlanReport, Programme, check_plan, envelope_for
-from sceneweaver.plans.solve import solve_plans
+from sceneweaver.language.homes import read_home
+from sceneweaver.plans import PlanReport, Programme, envelope_for
 
 from ..requests import Request
 from ..spec import Spec
-
-COMPARED = 16
-"""Distinct plans of a search that are compared by their soft rules."""
 
 
 @dataclass(frozen=True)
@@ -42,56 +38,34 @@ Raises InputError where a request has no home; another seed may have one.
 
 
 def make_home(spec: Spec, request: Request, seed: int, library: Library) -> MadeHome:
-    """The home of a request: of several valid plans the best by soft rules, furnished where that is asked for.
-
-    The envelope is drawn from the seed.
-
-    Raises:
-        InputError: no plan keeps all rules, or a room cannot be furnished.
-    """
-    programme = programme_of(request)
-    made = planned_home(spec, programme, seed)
-    return furnished_home(spec, request, made, seed, library) if spec.of_homes.furnished else made
-
-
-def programme_of(request: Request) -> Programme:
-    """The programme of a request: the one that was drawn, or what its words say.
+    """The home of a request: the best of many plans in an envelope that is drawn from the seed, furnished by
+    `sceneweaver.design_home` where that is asked for.
 
     Raises:
-        InputError: nothing of it is understood.
-    """
-    if request.kind:
-        return Programme.example(request.kind)
-    from sceneweaver.language.homes import read_home
-
-    return read_home(request.prompt).programme
-
-
-def planned_home(spec: Spec, programme: Programme, seed: int) -> MadeHome:
-    """The plan of a programme in an envelope that is drawn from a seed, without furniture.
-
-    Raises:
-        InputError: no plan keeps all rules.
+        InputError: the request says nothing, or no plan keeps all rules.
     """
     asked = spec.of_homes
-    solution = solve_plans(
-        programme, envelope_for(programme, seed), candidates=asked.plans, seed=seed, profile=asked.profile, device="cpu"
+    programme = Programme.example(request.kind) if request.kind else None
+    if not asked.furnished:
+        programme = read_home(request.prompt).programme if programme is None else programme
+        envelope = envelope_for(programme, seed)
+        found = plan_home(programme, envelope, seed=seed, profile=asked.profile, candidates=asked.plans, device="cpu")
+        return MadeHome(found.home, found.report)
+    from sceneweaver.furnish import design_home
+
+    made = design_home(
+        request.prompt,
+        programme=programme,
+        envelope=None if programme is None else envelope_for(programme, seed),
+        seed=seed,
+        profile=asked.profile,
+        device="cpu",
+        workers=1,
+        plans=asked.plans,
+        candidates=spec.rooms.candidates,
+        clutter=request.clutter,
+        time_limit=None,
+        pictures="none",
+        library=library,
     )
-    found: list[tuple[float, int, Home, PlanReport]] = []
-    for number, home in enumerate(solution.distinct(COMPARED)):
-        report = check_plan(home, programme, asked.profile)
-        if report.valid:
-            found.append((round(report.cost, 6), number, home, report))
-    if not found:
-        raise InputError(f"programme: no plan keeps all rules: {solution.explanation or 'none was found'}")
-    _, _, home, report = min(found, key=lambda row: row[:2])
-    return MadeHome(home, report)
-
-
-def furnished_home(spec: Spec, request: Request, made: MadeHome, seed: int, library: Library) -> MadeHome:
-    """A planned home with all its rooms furnished, by this process alone."""
-    from sceneweaver.furnish import furnish_home
-
-    options: dict[str, Any] = {"candidates": spec.rooms.candidates, "clutter": request.clutter, "library": library}
-    done = furnish_home(made.home, seed=seed, prompt=request.prompt, device="cpu", workers=1, **options)
-    return MadeHome(done.home, made.plan, (*made.unmet, *done.unmet))
+    return MadeHome(made.home, made.plan_report, made.unmet)

@@ -147,10 +147,10 @@ def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: 
     rooms = [_Room(request) for request in requests]
     for room in rooms:
         try:
-            with _lap(room.spent, "draft"), _limit(spec.time_limit).enforced():
+            with lap(room.spent, "draft"), _limit(spec.time_limit).enforced():
                 room.draft = drafted(spec, room.request, room.request.attempt(0), library, ALONE)
         except (Exception, TimeUp) as error:
-            room.reason = _reason(error)
+            room.reason = reason_of(error)
     _lay_out([room for room in rooms if room.draft is not None], device)
     for room in rooms:
         yield from maker.scenes(room)
@@ -169,7 +169,7 @@ def _lay_out(rooms: Sequence[_Room], device: str) -> None:
             for room in rooms:
                 _lay_out([room], device)
             return
-        rooms[0].reason = _reason(error)
+        rooms[0].reason = reason_of(error)
     for room in rooms:
         room.spent["layouts"] = (time.monotonic() - began) / len(rooms)
 
@@ -189,11 +189,11 @@ class _Maker:
         shared = {name: seconds / request.layouts for name, seconds in room.spent.items()}
         first: list[Outcome] = []
         try:
-            with _lap(shared, "choice"), _limit(spec.time_limit).enforced():
+            with lap(shared, "choice"), _limit(spec.time_limit).enforced():
                 if room.draft is not None:
                     first = chosen(room.draft, room.layouts, request.layouts)
         except (Exception, TimeUp) as error:
-            room.reason = _reason(error)
+            room.reason = reason_of(error)
         for layout in range(request.layouts):
             yield self._scene(room, layout, first[layout] if layout < len(first) else None, dict(shared))
 
@@ -211,22 +211,22 @@ class _Maker:
             with _limit(spec.time_limit - sum(seconds.values())).enforced():
                 for attempt in range(spec.rooms.attempts):
                     try:
-                        with _lap(seconds, "finish" if attempt == 0 else "again"):
+                        with lap(seconds, "finish" if attempt == 0 else "again"):
                             made = self._made(room, layout, attempt, first)
                         if made is None:
                             continue
                         done, reason = made, made.reason
                         if not reason:
-                            with _lap(seconds, "files"):
+                            with lap(seconds, "files"):
                                 files = files_of(spec, done, request.seed + layout, library, self.store, self.device)
                             row = measured(done, library) | {"assets": references(files)}
                             return sample("ok", row, files)
                     except Exception as error:
-                        done, reason = None, _reason(error)
+                        done, reason = None, reason_of(error)
                         if isinstance(error, InputError) and room.draft is None:
                             break  # it is the request, which no other draw makes better
         except TimeUp:
-            return sample("failed", {"reason": _reason(TimeUp())})
+            return sample("failed", {"reason": reason_of(TimeUp())})
         if done is not None:
             return sample("rejected", measured(done, library) | {"reason": reason})
         return sample("rejected" if room.draft is not None and not room.reason else "failed", {"reason": reason})
@@ -251,7 +251,7 @@ def _limit(seconds: float) -> Deadline:
 
 
 @contextmanager
-def _lap(seconds: dict[str, float], name: str) -> Iterator[None]:
+def lap(seconds: dict[str, float], name: str) -> Iterator[None]:
     """Add the time that a block takes to those of its name."""
     began = time.monotonic()
     try:
@@ -260,7 +260,7 @@ def _lap(seconds: dict[str, float], name: str) -> Iterator[None]:
         seconds[name] = seconds.get(name, 0.0) + time.monotonic() - began
 
 
-def _reason(error: BaseException) -> str:
+def reason_of(error: BaseException) -> str:
     """Why a scene was not made, in one line. What is no fault of a scene is raised: a full disk, a missing library."""
     if isinstance(error, MissingDependencyError) or disk_full(error):
         raise error

@@ -14,6 +14,7 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import share_drawings
 from sceneweaver.export import FORMATS
 from sceneweaver.export.shared import SharedFiles
+from sceneweaver.home import Home
 from sceneweaver.io import InputError, open_writable, write_atomic
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
@@ -31,11 +32,11 @@ JOURNAL = "work/journal"
 """Where processes tell each other what they have made, so that each thing is made once; it may go at any time."""
 
 
-def scene_files(scene: Scene, formats: Sequence[str], store: AssetStore, load: Load) -> dict[str, bytes]:
+def scene_files(scene: Scene | Home, formats: Sequence[str], store: AssetStore, load: Load) -> dict[str, bytes]:
     """The files of a scene by suffix: as `SceneFiles.of`, with one writer for all scenes of a store.
 
     Args:
-        scene: the scene.
+        scene: the scene, or a whole home.
         formats: "glb", "mjcf", "usd".
         store: where meshes and images go.
         load: from asset id to asset; all that are given for one store give equal assets.
@@ -63,14 +64,15 @@ class SceneFiles:
         self._fresh: dict[str, set[str]] = {}
         self._records = store.root / RECORDS / f"{secrets.token_hex(8)}.jsonl"
 
-    def of(self, scene: Scene, formats: Sequence[str]) -> dict[str, bytes]:
+    def of(self, scene: Scene | Home, formats: Sequence[str]) -> dict[str, bytes]:
         """The files of a scene by suffix. They name those of the store by paths from the root of the data set.
 
         Raises:
             InputError: when an asset cannot be loaded.
             OSError: the store cannot be written.
         """
-        found = {SUFFIXES[name]: FORMATS[name].shared_bytes(scene, self._load, self._shared) for name in formats}
+        rows = {name: FORMATS[name].for_homes() if isinstance(scene, Home) else FORMATS[name] for name in formats}
+        found = {SUFFIXES[name]: row.shared_bytes(scene, self._load, self._shared) for name, row in rows.items()}
         self._record()
         return found
 

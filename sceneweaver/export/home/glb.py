@@ -22,6 +22,7 @@ from sceneweaver.runtime.deadline import checkpoint
 from ..bodies import bodies_of, with_mesh
 from ..glb import add_leaf, add_object, free_name
 from ..glb_file import GlbFile
+from ..shared import SharedFiles
 from .built import BuiltHome
 from .meshes import Part
 
@@ -33,14 +34,20 @@ def write_home_glb(
     write_atomic(path, home_glb(BuiltHome.of(home, with_mesh(load)), textures=textures))
 
 
-def home_glb(built: BuiltHome, *, textures: bool = True) -> bytes:
+def home_glb_bytes(home: Home, load: Load, *, shared: SharedFiles) -> bytes:
+    """The home whose objects' meshes and all images are shared files."""
+    return home_glb(BuiltHome.of(home, with_mesh(load)), shared=shared)
+
+
+def home_glb(built: BuiltHome, *, textures: bool = True, shared: SharedFiles | None = None) -> bytes:
     """A home as glTF 2.0 binary.
 
     Args:
         built: The home.
         textures: Whether materials have their maps, or are plain: a fraction of the size.
+        shared: Where the meshes of objects and all images go, as files that the home names; None: into the file.
     """
-    home, file = built.home, GlbFile(textures)
+    home, file = built.home, GlbFile(textures, shared)
     taken = {name for named in built.names.things.values() for name in named.values()}
 
     def node(part: Part) -> int:

@@ -7,6 +7,7 @@ stairs and windows are geoms of group 2 in the world. Ceilings collide and are n
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -23,6 +24,7 @@ from ..corners import indexed, texture_coordinates
 from ..mjcf import Looks, with_files, write_model
 from ..names import legal_name
 from ..obj import obj
+from ..shared import SharedFiles
 from .built import BuiltHome
 from .meshes import by_material
 
@@ -32,17 +34,24 @@ def write_file(home: Home, path: Path, load: Load, *, textures: bool = True, cli
     write_model(home_mjcf(BuiltHome.of(home, load), textures=textures, client=client), path, home.id, client)
 
 
-def home_mjcf(built: BuiltHome, *, textures: bool = True, client: str | None = None) -> Model:
+def home_mjcf_bytes(home: Home, load: Load, *, shared: SharedFiles) -> bytes:
+    """The text of a home whose meshes and images are shared files."""
+    return home_mjcf(BuiltHome.of(home, load), shared=shared).xml.encode()
+
+
+def home_mjcf(
+    built: BuiltHome, *, textures: bool = True, client: str | None = None, shared: SharedFiles | None = None
+) -> Model:
     """The home as MJCF with what is seen; for the arguments see `sceneweaver.export.mjcf.mjcf`."""
-    looks = _HomeLooks(built, textures, client)
+    looks = _HomeLooks(built, textures, client, shared)
     return with_files(assemble(built.enclosure(), built.things, looks), looks)
 
 
 class _HomeLooks(Looks):
     """Walls, floors, stairs and windows as meshes, one for each material of each."""
 
-    def __init__(self, built: BuiltHome, textured: bool, client: str | None) -> None:
-        super().__init__(textured, client)
+    def __init__(self, built: BuiltHome, textured: bool, client: str | None, shared: SharedFiles | None = None) -> None:
+        super().__init__(textured, client, shared)
         self._built = built
 
     def paper(self, root: Xml.Element) -> None:
@@ -64,9 +73,16 @@ class _HomeLooks(Looks):
                     uv = texture_coordinates(mesh)
                     places = None if uv is None else indexed(uv)
                 content = obj(mesh.vertices, np.asarray(mesh.faces), places, digits=6)
-                child(assets, "mesh", name=stem, file=self.add_file(f"meshes/{stem}.obj", content), inertia="shell")
+                child(assets, "mesh", name=stem, file=self._file(f"meshes/{stem}.obj", content), inertia="shell")
                 seen = {"name": f"{part.name}:visual:{k}", "class": f"{ROOM}:visual"}
                 child(world, "geom", seen, mesh=stem, material=self.material(assets, material))
+
+    def _file(self, name: str, content: str | bytes) -> str:
+        """The path of a mesh of the home itself: one of its own, or a shared one, which is named by its content."""
+        data = content.encode() if isinstance(content, str) else content
+        if self._shared is None:
+            return self.add_file(name, data)
+        return self._shared.path(("home", hashlib.sha256(data).hexdigest()), "obj", lambda: data)
 
     def _standing(self, world: Xml.Element) -> list[Xml.Element]:
         names = {body.name for body in self._built.standing}

@@ -18,6 +18,8 @@ path.
 from __future__ import annotations
 
 import os
+import tempfile
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,12 +27,14 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import from_yaw
 from sceneweaver.home import Home, HomeWindow
+from sceneweaver.io import read_bytes
 from sceneweaver.physics.enclosure import Standing
 from sceneweaver.physics.shell import FLOOR_FRICTION
 from sceneweaver.physics.solids import Solid
 from sceneweaver.runtime.deadline import checkpoint
 
 from ..names import Names
+from ..shared import SharedFiles
 from ..usd import filter_coverings, head, save_layer, usd_path
 from ..usd_bodies import Solids, filter_pair
 from ..usd_layer import Prim, attribute, label, place, prim, prim_names, usd
@@ -56,14 +60,26 @@ def write_home_usd(
     save_layer(layer, name, files)
 
 
-def home_layer(built: BuiltHome, *, textures: bool = True) -> tuple[Any, dict[str, bytes]]:
-    """The home as a ``pxr.Sdf.Layer`` in memory, and the images that it names by path relative to it."""
+def home_usd_bytes(home: Home, load: Load | None, *, shared: SharedFiles) -> bytes:
+    """The home as a binary stage whose images are shared files."""
+    layer, _ = home_layer(BuiltHome.of(home, load), shared=shared)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "home.usdc"
+        layer.Export(str(path))
+        return read_bytes(path, max_bytes=2**32)
+
+
+def home_layer(
+    built: BuiltHome, *, textures: bool = True, shared: SharedFiles | None = None
+) -> tuple[Any, dict[str, bytes]]:
+    """The home as a ``pxr.Sdf.Layer`` in memory, and the images that it names by path relative to it, or none where
+    they are shared files."""
     home = built.home
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():
         head(layer, {"id": home.id, "prompt": home.prompt, "rooms": {r.id: r.type for r in home.rooms}})
         world = prim(layer, "World", kind="assembly", displayName=home.id)
-        looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures)
+        looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
         prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
         names = prim_names()
         titles = {thing.object.id: names(thing.object.id) for thing in built.things}
