@@ -18,7 +18,16 @@ AREA = 0.06
 """Share by which an area may be off."""
 
 _KINDS = {
-    "bedroom": {"bedroom", "master_bedroom", "childrens_room", "teen_bedroom", "nursery", "guest_room", "studio_apartment", "granny_flat"},
+    "bedroom": {
+        "bedroom",
+        "master_bedroom",
+        "childrens_room",
+        "teen_bedroom",
+        "nursery",
+        "guest_room",
+        "studio_apartment",
+        "granny_flat",
+    },
     "bathroom": {"bathroom", "ensuite", "accessible_bathroom", "kids_bathroom", "wet_room"},
     "toilet": {"guest_toilet", "washroom", "accessible_toilet"},
     "living_room": {"living_room", "living_kitchen", "living_dining", "family_room", "break_room"},
@@ -85,7 +94,7 @@ def is_kind(word: str, room: RoomSpec, read: HomeRequest) -> bool:
     """Whether a room is what a word of the data means: by its type, and where that is vague by its noun."""
     if room.type not in _KINDS.get(word, {word}):
         return False
-    noun = next((one.noun for one in read.rooms if one.id == room.id), "")
+    noun = next((one.said for one in read.rooms if one.id == room.id), "")
     return room.type not in _VAGUE or word not in _NOUNS or any(part in noun for part in _NOUNS[word])
 
 
@@ -110,11 +119,16 @@ def _areas(value: dict[str, Any], read: HomeRequest) -> Iterator[tuple[str, bool
         if isinstance(said, str):
             factor = {"big": 1.1, "small": 0.9}[said]
             met = any(
-                sizes.get(room.id) == said or (room.area[1] / room_type(room.type).area[1] - 1) * (factor - 1) > 0.01 and said == "big" for room in rooms
+                sizes.get(room.id) == said
+                or (room.area[1] / room_type(room.type).area[1] - 1) * (factor - 1) > 0.01
+                and said == "big"
+                for room in rooms
             )
         else:
             low, high = said
-            met = bool(rooms) and all(low <= room.area[1] <= high for room in rooms if read.room(room.id).span or len(rooms) == 1)
+            met = bool(rooms) and all(
+                low <= room.area[1] <= high for room in rooms if read.room(room.id).span or len(rooms) == 1
+            )
         yield f"{word} of {said} ({[room.area[1] for room in rooms]})", met
 
 
@@ -124,11 +138,17 @@ def _pairs(kinds: tuple[str, ...]) -> Any:
         for one, two in value:
             met = any(
                 adjacency.kind in kinds
-                and (is_kind(one, rooms[adjacency.a], read) and is_kind(two, rooms[adjacency.b], read) or is_kind(two, rooms[adjacency.a], read) and is_kind(one, rooms[adjacency.b], read))
+                and (
+                    is_kind(one, rooms[adjacency.a], read)
+                    and is_kind(two, rooms[adjacency.b], read)
+                    or is_kind(two, rooms[adjacency.a], read)
+                    and is_kind(one, rooms[adjacency.b], read)
+                )
                 for adjacency in read.programme.adjacencies
             )
             same = "open" in kinds and any(is_kind(one, t, read) and is_kind(two, t, read) for t in rooms.values())
             yield f"{one} {kinds[0]} {two}", met or same
+
     return check
 
 
@@ -138,6 +158,7 @@ def _storey(lowest: bool) -> Any:
             rooms = [room for room in read.programme.rooms if is_kind(word, room, read)]
             met = any(room.storey is not None and (room.storey == 0) == lowest for room in rooms)
             yield f"{word} {'on the ground floor' if lowest else 'upstairs'} ({[room.storey for room in rooms]})", met
+
     return check
 
 
@@ -145,21 +166,34 @@ def _said(value: dict[str, str], read: HomeRequest) -> Iterator[tuple[str, bool]
     texts = room_requests(read)
     rooms = {room.id: room for room in read.programme.rooms}
     for word, said in value.items():
-        yield f"'{said}' in the request of {word}", any(said in text.lower() for i, text in texts.items() if i in rooms and is_kind(word, rooms[i], read))
+        yield (
+            f"'{said}' in the request of {word}",
+            any(said in text.lower() for i, text in texts.items() if i in rooms and is_kind(word, rooms[i], read)),
+        )
 
 
 def _entrance(value: list[str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
     rooms = {room.id: room for room in read.programme.rooms}
     first = read.programme.entrance
     for word in value:
-        near = {a.b if a.a == first else a.a for a in read.programme.adjacencies if first in (a.a, a.b) and a.kind != "apart"}
-        yield f"{word} by the entrance", is_kind(word, rooms[first], read) or any(is_kind(word, rooms[i], read) for i in near)
+        near = {
+            a.b if a.a == first else a.a
+            for a in read.programme.adjacencies
+            if first in (a.a, a.b) and a.kind != "apart"
+        }
+        yield (
+            f"{word} by the entrance",
+            is_kind(word, rooms[first], read) or any(is_kind(word, rooms[i], read) for i in near),
+        )
 
 
 def _light(value: list[str], read: HomeRequest, lit: bool) -> Iterator[tuple[str, bool]]:
     for word in value:
         rooms = [room for room in read.programme.rooms if is_kind(word, room, read)]
-        yield f"{word} {'with' if lit else 'without'} windows", bool(rooms) and all(room.daylight is lit for room in rooms)
+        yield (
+            f"{word} {'with' if lit else 'without'} windows",
+            bool(rooms) and all(room.daylight is lit for room in rooms),
+        )
 
 
 def _one(name: str, met: bool) -> Iterator[tuple[str, bool]]:
@@ -167,7 +201,9 @@ def _one(name: str, met: bool) -> Iterator[tuple[str, bool]]:
 
 
 _VERDICTS: dict[str, Any] = {
-    "use": lambda v, r: _one(f"use {v} (is {r.use})", {r.use, r.programme.use} & set(v if isinstance(v, list) else [v]) != set()),
+    "use": lambda v, r: _one(
+        f"use {v} (is {r.use})", {r.use, r.programme.use} & set(v if isinstance(v, list) else [v]) != set()
+    ),
     "storeys": lambda v, r: _one(
         f"{v} storeys (has {r.programme.storeys})",
         r.programme.storeys >= int(v.rstrip("+")) if isinstance(v, str) else r.programme.storeys == v,

@@ -139,16 +139,22 @@ def language_of(text: str) -> str:
     return best if scores[best] >= 2 and scores[best] > 2 * english else "en"
 
 
-def translated(text: str, origin: Sequence[int], language: str, request: str) -> tuple[str, list[int]]:
-    """A text in lower case as English, with the place of each of its characters in the request."""
+def translated(
+    text: str, origin: Sequence[int], language: str, request: str, table: Tables | None = None
+) -> tuple[str, list[int]]:
+    """A text in lower case as English, with the place of each of its characters in the request.
+
+    ``table``: the words of the language; `tables` where it is not given.
+    """
+    table = table or tables(language)
     names, small = _capitals(text, origin, request) if language == "de" else (frozenset[int](), frozenset[int]())
-    told = _told(text, language, names, small)
+    told = _told(text, language, table, names, small)
     if names:  # an unknown word in small letters is none for a thing
         told = [one for one in told if one.kind or one.start not in small]
     order = {"de": german_order, "es": romance_order, "fr": romance_order, "zh": chinese_order}[language]
     letters: list[str] = []
     places: list[int] = []
-    for one in order(told, tables(language)):
+    for one in order(told, table):
         if not one.text or (not letters and not one.text[0].isalnum()):
             continue
         english = one.text if one.kind else _unknown(one.text)
@@ -165,7 +171,7 @@ def unknown_words(text: str, language: str) -> list[tuple[int, int]]:
     """Where words of a text in lower case stand that no table has, as characters [start, end)."""
     return [
         (one.start, one.end)
-        for one in _told(text, language)
+        for one in _told(text, language, tables(language))
         if not one.kind and one.text.isalpha() and (len(one.text) > 2 or language == "zh")
     ]
 
@@ -174,15 +180,15 @@ def content_words(text: str, language: str) -> list[tuple[str, int, int]]:
     """Nouns and adjectives of a text in lower case: English, and the characters [start, end) that it stands for."""
     return [
         (one.text, one.start, one.end)
-        for one in _told(text, language)
+        for one in _told(text, language, tables(language))
         if one.kind in ("nouns", "adjectives") and one.text
     ]
 
 
 def _told(
-    text: str, language: str, names: frozenset[int] = frozenset(), small: frozenset[int] = frozenset()
+    text: str, language: str, table: Tables, names: frozenset[int] = frozenset(), small: frozenset[int] = frozenset()
 ) -> list[Told]:
-    return _chinese(text) if language == "zh" else _spaced(text, language, names, small)
+    return _chinese(text, table) if language == "zh" else _spaced(text, language, table, names, small)
 
 
 def _unknown(word: str) -> str:
@@ -205,13 +211,11 @@ def _capitals(text: str, origin: Sequence[int], request: str) -> tuple[frozenset
     return frozenset(found), frozenset(small)
 
 
-def _spaced(
-    text: str, language: str, names: frozenset[int] = frozenset(), small: frozenset[int] = frozenset()
-) -> list[Told]:
+def _spaced(text: str, language: str, table: Tables, names: frozenset[int], small: frozenset[int]) -> list[Told]:
     """The words of a language that sets them apart, the longest known phrases first; those at ``names`` are nouns, and
     those at ``small`` none."""
     found = list(_WORD.finditer(text))
-    table, told, at = tables(language), list[Told](), 0
+    told, at = list[Told](), 0
     first = True
     while at < len(found):
         for many in range(min(LONGEST, len(found) - at), 0, -1):
@@ -263,9 +267,9 @@ def _known(phrase: str, many: int, table: Tables, language: str) -> Entry | None
     return known
 
 
-def _chinese(text: str) -> list[Told]:
+def _chinese(text: str, table: Tables) -> list[Told]:
     """A text without blanks in known phrases, so that the fewest characters are left over; other scripts stay."""
-    table, told = tables("zh"), list[Told]()
+    told = list[Told]()
     at = 0
     while at < len(text):
         tenths = _METRES.match(text, at)

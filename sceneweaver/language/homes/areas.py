@@ -43,7 +43,7 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
             many = sum(r.type == "open_office" for r in rooms)
             base, each = data("words")["per_person"]["open_office"]
             usual = base + each * workers / many
-        usual = round(usual * (size or 1.0), 1)
+        usual = round(usual * (size or 1.0) * reading.scale, 1)
         if usual != room_type(room.type).area[1]:
             room.area = (round(usual * SPREAD[0], 1), usual, round(max(usual * SPREAD[1], usual + 1), 1))
         else:
@@ -80,7 +80,11 @@ def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
             continue
         least, target, most = room.area
         new = round(target * factor, 1)
-        room.area = (round(min(least, new * SPREAD[0]) if factor < 1 else min(new * SPREAD[0], new), 1), new, round(max(new * SPREAD[1], new + 1), 1))
+        room.area = (
+            round(min(least, new * SPREAD[0]) if factor < 1 else min(new * SPREAD[0], new), 1),
+            new,
+            round(max(new * SPREAD[1], new + 1), 1),
+        )
     total = fixed + sum(room.area[1] for room in open_ if room.area)
     if abs(total - asked) > 0.06 * asked:
         return [f"{asked:g} m2 do not fit {len(indoors)} rooms of usual size: they have {total:.0f} m2 together"]

@@ -7,6 +7,7 @@ from functools import lru_cache
 from sceneweaver.knowledge.load import room_words
 
 from .households import people_told
+from .lexicon import data
 from .parts import Named
 from .read import read_parts
 from .tokens import Token, spoken
@@ -20,11 +21,6 @@ SINGLE = 45.0
 
 LISTED = 3
 """The same where no home is named: rooms of at least two kinds, none of which the others belong to."""
-
-_PARTS = ("corner", "area", "desk", "counter", "nook", "zone", "space", "station", "spot", "bar", "niche", "booth", "reception", "waiting", "front desk",
-          "lounge", "storage", "store", "bath", "deck", "studio", "lobby", "entry", "toilet", "theatre", "archive", "library", "workshop", "shower", "dining",
-          "living", "hall", "tea point", "kitchenette", "kitchen corner", "place", "cellar", "balcony", "terrace", "patio", "porch", "gym", "cafe", "lab")
-"""Words that may be a part of one room, and count as rooms only beside others that cannot."""
 
 
 @lru_cache(maxsize=256)
@@ -76,8 +72,14 @@ def _room_first(tokens: tuple[Token, ...], at: int) -> bool:
     first = next((k for k, t in enumerate(tokens[:at]) if t.has("room", "known_room") and not t.has("use")), None)
     if first is None or tokens[first - 1].number not in (None, 1) or tokens[first].plural:
         return False
-    return not any(t.stops or t.text == ":" for t in tokens[first:at]) and not any(t.has("number") for t in tokens[first:at]) and (
-        first == at - 1 and tokens[first].text not in ("bedroom", "room", "bed", "bath") or not _compound(tokens, first, at)
+    return (
+        not any(t.stops or t.text == ":" for t in tokens[first:at])
+        and not any(t.has("number") for t in tokens[first:at])
+        and (
+            first == at - 1
+            and tokens[first].text not in ("bedroom", "room", "bed", "bath")
+            or not _compound(tokens, first, at)
+        )
     )
 
 
@@ -89,9 +91,17 @@ def _compound(tokens: tuple[Token, ...], first: int, at: int) -> bool:
 def _may_be_part(tokens: tuple[Token, ...], one: Named) -> bool:
     token = tokens[one.at]
     last = token.text.split()[-1]
-    if one.told in ("number", "total") and (one.count or 0) > 1 and last not in ("station", "stations", "desks", "booths", "booth", "areas", "corners", "places"):
+    if (
+        one.told in ("number", "total")
+        and (one.count or 0) > 1
+        and last not in ("station", "stations", "desks", "booths", "booth", "areas", "corners", "places")
+    ):
         return False
-    return last in _PARTS or token.text in _PARTS or last.rstrip("s") in _PARTS
+    return (
+        last in data("words")["parts_of_rooms"]
+        or token.text in data("words")["parts_of_rooms"]
+        or last.rstrip("s") in data("words")["parts_of_rooms"]
+    )
 
 
 def _beside(tokens: tuple[Token, ...], one: Named) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sceneweaver.plans import Adjacency, Programme, RoomSpec, room_type
 
+from .lexicon import data
 from .model import JointAsked
 from .needed import add_landings
 from .parts import Joint, Named, Reading
@@ -13,8 +14,6 @@ SOFT = 2.0
 """Weight of near and apart, which are no more than wished."""
 
 _ORDER = {"open": 0, "door": 1, "near": 2, "apart": 3}
-_COMES_IN = ("entrance_hall", "vestibule", "reception", "mudroom", "hallway", "corridor", "open_office", "waiting_room", "living_room", "living_dining",
-             "living_kitchen", "cloakroom")
 
 
 def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int | None]]:
@@ -27,7 +26,12 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     if asked is None and any(s == "ground" for s in told) and reading.use.plan == "house":
         upper = True
     count = max(asked or 1, least, 2 if upper and not reading.one_storey else 1)
-    if reading.use.plan in ("flat", "office") and asked is None and set(told) <= {"first", "second", "third", "ground"} and len(set(told)) <= 1:
+    if (
+        reading.use.plan in ("flat", "office")
+        and asked is None
+        and set(told) <= {"first", "second", "third", "ground"}
+        and len(set(told)) <= 1
+    ):
         count = 1  # where the flat is in its building
     count = min(count, 6)
     place = {**level, "top": count - 1, "upper": 1}
@@ -87,7 +91,9 @@ def pairs_of(joint: Joint) -> list[tuple[str, str]]:
     return [(x, b[i % len(b)]) for i, x in enumerate(a) if x != b[i % len(b)]]
 
 
-def joined(reading: Reading, rooms: list[Room], entrance: str, notes: list[str]) -> tuple[list[Adjacency], list[JointAsked]]:
+def joined(
+    reading: Reading, rooms: list[Room], entrance: str, notes: list[str]
+) -> tuple[list[Adjacency], list[JointAsked]]:
     """What was said of rooms to each other, as adjacencies of ids: what is open or a door has to be, near and apart are
     wished."""
     found: dict[frozenset[str], Adjacency] = {}
@@ -98,21 +104,17 @@ def joined(reading: Reading, rooms: list[Room], entrance: str, notes: list[str])
             pairs = _to_place(joint, entrance, notes, words)
             if joint.a.ids:
                 place = "street" if joint.b == "street" else joint.b
-                asked.append(JointAsked(tuple(joint.a.ids), (), _kind(joint.kind), words, place))
+                asked.append(JointAsked(tuple(joint.a.ids), (), joint.kind, words, place))
         else:
             pairs = pairs_of(joint)
             if pairs:
-                asked.append(JointAsked(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), _kind(joint.kind), words))
+                asked.append(JointAsked(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), joint.kind, words))
         for a, b in pairs:
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
                 hard = joint.kind in ("door", "open") and joint.hard
-                found[key] = Adjacency(a=a, b=b, kind=_kind(joint.kind), hard=hard, weight=1.0 if hard else SOFT)
+                found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
     return list(found.values()), asked
-
-
-def _kind(kind: str) -> str:
-    return kind
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:
@@ -133,9 +135,9 @@ def entrance_of(reading: Reading, rooms: list[Room], placed: dict[str, int | Non
     if halls:
         return halls[0].id
     for room in ground:
-        if room.id in beside and room.type in _COMES_IN:
+        if room.id in beside and room.type in data("words")["comes_in"]:
             return room.id
-    for kind in _COMES_IN:
+    for kind in data("words")["comes_in"]:
         for room in ground:
             if room.type == kind:
                 return room.id
@@ -144,7 +146,12 @@ def entrance_of(reading: Reading, rooms: list[Room], placed: dict[str, int | Non
 
 
 def programme_of(
-    reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None], entrance: str, adjacencies: list[Adjacency]
+    reading: Reading,
+    rooms: list[Room],
+    count: int,
+    placed: dict[str, int | None],
+    entrance: str,
+    adjacencies: list[Adjacency],
 ) -> Programme:
     """The programme of the plan."""
     daylight: dict[str, bool] = {}
@@ -153,8 +160,20 @@ def programme_of(
             if one.daylight is not None:
                 daylight[room.id] = one.daylight
     specs = [
-        RoomSpec(id=room.id, type=room.type, area=room.area or room_type(room.type).area, storey=placed.get(room.id), daylight=daylight.get(room.id))
+        RoomSpec(
+            id=room.id,
+            type=room.type,
+            area=room.area or room_type(room.type).area,
+            storey=placed.get(room.id),
+            daylight=daylight.get(room.id),
+        )
         for room in rooms
     ]
-    return Programme(name=f"{reading.use.name}, {len(rooms)} rooms", use=reading.use.plan, rooms=tuple(specs), adjacencies=tuple(adjacencies),
-                     storeys=count, entrance=entrance)  # fmt: skip
+    return Programme(
+        name=f"{reading.use.name}, {len(rooms)} rooms",
+        use=reading.use.plan,
+        rooms=tuple(specs),
+        adjacencies=tuple(adjacencies),
+        storeys=count,
+        entrance=entrance,
+    )

@@ -67,7 +67,12 @@ def _place(reading: Reading, sentence: range) -> None:
             start -= 1
         before = tokens[start - 1] if start > sentence.start else None
         after = tokens[k + 1] if k + 1 < sentence.stop else None
-        lead = before is None or before.breaks or before.text in ("and", "with", "the", "then") and (after is not None and not after.breaks and after.text != "and")
+        lead = (
+            before is None
+            or before.breaks
+            or before.text in ("and", "with", "the", "then")
+            and (after is not None and not after.breaks and after.text != "and")
+        )
         behind = [one for one in names if one.at > k]
         ahead = [one for one in names if one.at < k]
         until = words[number + 1] if number + 1 < len(words) else sentence.stop

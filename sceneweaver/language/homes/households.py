@@ -6,7 +6,14 @@ from .lexicon import data, plain
 from .parts import Named, Person, Reading
 from .tokens import Token
 
-_ROLE = {"couples": "couple", "adults": "adult", "seniors": "senior", "children": "child", "twins": "twins", "babies": "baby"}
+_ROLE = {
+    "couples": "couple",
+    "adults": "adult",
+    "seniors": "senior",
+    "children": "child",
+    "twins": "twins",
+    "babies": "baby",
+}
 _OWNERS = ("my", "our", "his", "her", "their", "the")
 _ELDERS = ("father", "mother", "mum", "mom", "dad")
 _STAYS = ("stay", "visit", "visits", "come", "comes", "visiting", "over")
@@ -18,8 +25,6 @@ def read_people(reading: Reading) -> None:
     for sentence in reading.sentences():
         _sentence(reading, sentence)
         _shared_storey(reading, sentence)
-    _each(reading)
-    _settle(reading)
 
 
 def _sentence(reading: Reading, sentence: range) -> None:
@@ -29,6 +34,17 @@ def _sentence(reading: Reading, sentence: range) -> None:
     names = [one for one in reading.named if one.at in sentence]
     for at in sentence:
         token = tokens[at]
+        if (
+            at == reading.use_at
+            and not work
+            and at + 2 < len(tokens)
+            and tokens[at + 1].text in ("of", "for")
+            and tokens[at + 2].number
+        ):
+            after = tokens[at + 3] if at + 3 < len(tokens) else None
+            if (after is None or after.breaks) and (tokens[at + 2].number or 0) > 1:  # "a house share of five"
+                reading.household = tokens[at + 2].number
+                reading.did(at + 2, "people")
         depth += (token.text == "(") - (token.text == ")")
         if token.done:
             continue
@@ -54,92 +70,15 @@ def _shared_storey(reading: Reading, sentence: range) -> None:
     tokens = reading.tokens
     for at in sentence:
         ahead = [t.text for t in tokens[at + 1 : min(at + 5, sentence.stop)]]
-        shared = {"shared", "common", "communal", "joint", "living"} & set(ahead) and {"rooms", "areas", "spaces"} & set(ahead)
+        shared = {"shared", "common", "communal", "joint", "living"} & set(ahead) and {
+            "rooms",
+            "areas",
+            "spaces",
+        } & set(ahead)
         if tokens[at].get("storey") == "ground" and (shared or tokens[at - 1].text in ("share", "shared")):
             reading.share_ground = True
             for k in range(at, min(at + 5, sentence.stop)):
                 reading.did(k, "storeys")
-
-
-def _each(reading: Reading) -> None:
-    """ "Each couple needs a bedroom", "three doctors with a consulting room each": as many rooms as people."""
-    tokens = reading.tokens
-    for at, token in enumerate(tokens):
-        if token.text not in ("each", "every", "everyone", "everybody", "for each", "per"):
-            continue
-        pronoun = next((one for one in reading.named if one.of is not None and one.at == at), None)
-        after = tokens[at + 1] if at + 1 < len(tokens) else None
-        who = after is not None and after.has("person", "staff", "groups")
-        before = next((one for one in reversed(reading.named) if one.last == at - 1 and one.of is None), None)
-        number = _people_before(reading, at, tokens[at + 1] if who else None)
-        behind_one = before is not None and before.told in ("article", "") and before.count == 1
-        if number is None or (not behind_one and pronoun is not None and not _people_nearer(reading, at, pronoun)):
-            continue
-        if behind_one and before is not None:
-            _drop(reading, pronoun)
-            for one in _listed_before(reading, before):
-                one.times = number
-            reading.did(at, "people")
-            if who:
-                reading.did(at + 1, "people")
-        elif who or after is not None and after.text in ("has", "have", "gets", "get", "needs", "with", "in", "their", "his", "her", "own"):
-            for one in _told_of(reading, at):
-                one.times = number
-                if one.of is not None and one.per is None:
-                    one.of = None
-            _drop(reading, pronoun)
-            reading.did(at, "people")
-            if who:
-                reading.did(at + 1, "people")
-
-
-def _drop(reading: Reading, pronoun: Named | None) -> None:
-    """Forget an "each" that was taken for rooms."""
-    if pronoun is not None:
-        reading.named.remove(pronoun)
-        reading.joints = [j for j in reading.joints if j.a is not pronoun and j.b is not pronoun]
-
-
-def _listed_before(reading: Reading, last: Named) -> list[Named]:
-    """A room and those that "and" joins to it, where all have an article."""
-    found = [last]
-    for one in reversed([o for o in reading.named if o.at < last.at]):
-        gap = [t.text for t in reading.tokens[one.last + 1 : found[-1].first]]
-        if gap not in (["and"], ["&"], [","]) or one.told != "article" or one.count != 1:
-            break
-        found.append(one)
-    return found
-
-
-def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
-    """How many people an "each" means: those who were counted last, of the kind that follows it."""
-    tokens = reading.tokens
-    for k in range(at - 1, max(-1, at - 30), -1):
-        if not tokens[k].has("person", "staff", "groups") or tokens[k].text.endswith(("'s", "s'")):
-            continue
-        if who is not None and who.get("person") != tokens[k].get("person") and _single(tokens[k]) != _single(who):
-            continue
-        number = _count(tokens, k)
-        if number is not None and number > 1:
-            return number
-    return None
-
-
-def _people_nearer(reading: Reading, at: int, pronoun: Named) -> bool:
-    """Whether the people stand nearer to an "each" than the rooms that it might mean."""
-    tokens, room = reading.tokens, pronoun.root.at
-    return any(tokens[k].has("person", "staff") and (_count(tokens, k) or 0) > 1 for k in range(room + 1, at))
-
-
-def _told_of(reading: Reading, at: int) -> list[Named]:
-    """The rooms that each one has: to the end of the clause, those with an article."""
-    found: list[Named] = []
-    for one in reading.named:
-        if one.at > at and one.of is None and one.told in ("article", "") and one.count == 1 and one.per is None:
-            if any(t.breaks for t in reading.tokens[at : one.first]):
-                break
-            found.append(one)
-    return found
 
 
 def _gets_a_room(reading: Reading, at: int, sentence: range) -> bool:
@@ -151,8 +90,26 @@ def _gets_a_room(reading: Reading, at: int, sentence: range) -> bool:
         return False
     if "us" in said and "of" in said:
         return True
-    if before is not None and before.has("we", "person") or tokens[at].text in ("everyone", "everybody"):
-        return bool(said & {"room", "rooms", "bedroom", "door", "space", "own bedroom"})
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    if (
+        before is not None
+        and before.has("we", "person")
+        or tokens[at].text in ("everyone", "everybody")
+        or after is not None
+        and after.has("person")
+    ):
+        end = next(
+            (
+                k
+                for k in range(at, min(at + 8, sentence.stop))
+                if tokens[k].text in ("room", "bedroom", "door", "rooms", "space")
+            ),
+            None,
+        )
+        if end is not None and not any(one.first <= end <= one.last and one.told == "article" for one in reading.named):
+            for k in range(at, end + 1):
+                reading.did(k, "people")
+            return True
     return False
 
 
@@ -178,7 +135,7 @@ def _of_room(reading: Reading, names: list[Named], at: int) -> Named | None:
 def _workers(reading: Reading, at: int) -> None:
     """How many work there; who has a room of his kind of work."""
     tokens, token = reading.tokens, reading.tokens[at]
-    number = _count(tokens, at)
+    number = count_before(tokens, at)
     if token.has("groups") and at + 2 < len(tokens) and tokens[at + 1].text == "of" and tokens[at + 2].number:
         reading.workers = tokens[at + 2].number
         for k in (at, at + 1, at + 2):
@@ -186,29 +143,30 @@ def _workers(reading: Reading, at: int) -> None:
         if at + 3 < len(tokens) and tokens[at + 3].has("person", "staff"):
             reading.did(at + 3, "people")
         return
-    single = plain(_single(token))
+    single = plain(in_singular(token))
     if single in reading.use.staff and number is not None:
         kind = reading.use.staff[single]
         reading.staff[kind] = reading.staff.get(kind, 0) + number
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
     elif token.has("staff", "person") and number is not None and number > 1 and not token.has("visitors"):
         reading.workers = max(reading.workers or 0, number)
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
     elif token.has("visitors", "person", "staff", "we", "me"):
         reading.did(at, "people")
 
 
 def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     tokens, token = reading.tokens, reading.tokens[at]
-    if token.text.endswith(("'s", "s'")) or at and tokens[at - 1].text in ("each", "every"):
+    of_use = at + 1 < len(tokens) and at + 1 == reading.use_at
+    if token.text.endswith(("'s", "s'")) and not of_use or at and tokens[at - 1].text in ("each", "every"):
         return
-    count = _count(tokens, at)
+    count = count_before(tokens, at)
     if token.has("visitors") and _visits(reading, at, sentence):
         reading.visitors = True
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
         return
     if token.has("groups") and at + 2 < len(tokens) and tokens[at + 1].text == "of" and tokens[at + 2].number:
         reading.household = tokens[at + 2].number
@@ -222,13 +180,17 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     role = token.get("person")
     if role is None:
         return
-    if depth:
+    if depth and reading.household is None:
+        reading.did(at, "people")
         return
     if token.text == "single":
         reading.did(at, "people")
         return
-    if role == "adults" and at >= 2 and tokens[at - 1].text in ("a", "single", "an") and any(
-        t.text in ("i am", "i'm", "am") for t in tokens[max(0, at - 4) : at]
+    if (
+        role == "adults"
+        and at >= 2
+        and tokens[at - 1].text in ("a", "single", "an")
+        and any(t.text in ("i am", "i'm", "am") for t in tokens[max(0, at - 4) : at])
     ):
         count = 1
     if role == "adults" and at and tokens[at - 1].text == "au":
@@ -254,7 +216,14 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
             if t.text in ("share", "together", "shares"):
                 t.done = t.done or "people"
     if role == "seniors" and not before_article(tokens, at):
-        kin = next((p for p in reading.people if p.role == "adults" and reading.text[p.span.start : p.span.end].lower() in _ELDERS), None)
+        kin = next(
+            (
+                p
+                for p in reading.people
+                if p.role == "adults" and reading.text[p.span.start : p.span.end].lower() in _ELDERS
+            ),
+            None,
+        )
         if kin is not None:  # "my father ... grandad": one person
             reading.people[reading.people.index(kin)] = Person("seniors", 1, kin.span)
             reading.did(at, "people")
@@ -264,7 +233,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if not (named_again or again):
         reading.people.append(Person(role, count, token.span))
     reading.did(at, "people")
-    _number_done(reading, at)
+    number_done(reading, at)
 
 
 def before_article(tokens: tuple[Token, ...], at: int) -> bool:
@@ -305,7 +274,7 @@ def _visits(reading: Reading, at: int, sentence: range) -> bool:
     return bool(near & {*_STAYS}) or tokens[at].text.startswith("grand") or tokens[at].text in ("visitors", "visitor")
 
 
-def _count(tokens: tuple[Token, ...], at: int) -> int | None:
+def count_before(tokens: tuple[Token, ...], at: int) -> int | None:
     """How many, by the number, article or owner before people; None where nothing tells it."""
     for k in range(at - 1, max(-1, at - 5), -1):
         token = tokens[k]
@@ -322,28 +291,30 @@ def _count(tokens: tuple[Token, ...], at: int) -> int | None:
     return None
 
 
-def _number_done(reading: Reading, at: int) -> None:
+def number_done(reading: Reading, at: int) -> None:
+    """The number before people is accounted for."""
     for k in range(at - 1, max(-1, at - 4), -1):
         if reading.tokens[k].get("number") is not None:
             reading.did(k, "people")
             return
 
 
-def _single(token: Token) -> str:
+def in_singular(token: Token) -> str:
+    """A token with its last word in the singular."""
     from sceneweaver.assets.plurals import singular
 
     head, _, last = token.text.rpartition(" ")
     return f"{head} {singular(last) if token.plural else last}".strip()
 
 
-def _settle(reading: Reading) -> None:
+def settle(reading: Reading) -> None:
     """Adults of a family that names its children, and partners as couples."""
     roles = {person.role for person in reading.people}
     found = list[Person]()
     for person in reading.people:
         if person.role == "partners":
             person = Person("couples", 1, person.span)
-            found = [p for p in found if not (p.role == "couples")]
+            found = [p for p in found if p.role != "couples"]
         if person.role == "families":
             if "couples" not in roles and "partners" not in roles and "adults" not in roles:
                 found.append(Person("couples", 1, person.span))
@@ -360,9 +331,8 @@ def _settle(reading: Reading) -> None:
             found.insert(0, Person("couples", 1, found[0].span))
         elif me and not we:
             found.insert(0, Person("adults", 1, found[0].span))
-    elif spoken & {"me", "i"} and any(p.role == "adults" for p in found) and not any(p.role == "couples" for p in found):
-        if _speaker_counts(reading):
-            found.append(Person("adults", 1, found[0].span))
+    elif {p.role for p in found} & {"adults", "couples"} == {"adults"} and _speaker_counts(reading):
+        found.append(Person("adults", 1, found[0].span))
     reading.people = found
 
 
@@ -370,7 +340,11 @@ def _speaker_counts(reading: Reading) -> bool:
     """Whether the speaker lives there beside the others: "for my brother and me"."""
     tokens = reading.tokens
     for at, token in enumerate(tokens):
-        if token.text == "me" and at and (tokens[at - 1].text in ("and", "for", "&") or at + 1 < len(tokens) and tokens[at + 1].text == "and"):
+        if (
+            token.text == "me"
+            and at
+            and (tokens[at - 1].text in ("and", "for", "&") or at + 1 < len(tokens) and tokens[at + 1].text == "and")
+        ):
             return True
         if token.text == "i" and at and tokens[at - 1].text == "and":
             return True

@@ -2,23 +2,55 @@
 
 from __future__ import annotations
 
-from sceneweaver.language.model import Span
+from typing import Any
 
+from sceneweaver.plans.programme import AdjacencyKind
+
+from .lexicon import data
 from .parts import Joint, Named, Reading
+from .pronouns import PER_EACH, read_pronouns
 
-_ANNEXES = ("bathroom", "ensuite", "guest_toilet", "washroom", "accessible_bathroom", "accessible_toilet", "wet_room", "kids_bathroom", "pantry",
-            "walk_in_closet", "dressing_room", "balcony", "terrace", "storage_room", "study", "nap_room", "laundry_room", "sauna", "sunroom", "kitchen",
-            "kitchenette", "examination_room", "cloakroom", "utility_room", "dining_room", "living_room", "archive", "changing_room")
-"""Kinds that belong to the rooms that are "with" them."""
-
-_WEAK = ("by", "near", "at", "behind", "off", "opposite", "facing", "in front of", "sees", "next to", "beside", "directly off")
-_GAP = ("the", "a", "an", "our", "my", "their", "his", "her", "its", "of", "to", "as", "it", "is", "on", "only", "both", "very", "right", "that")
-_PER_EACH = ("each", "both", "everyone", "everybody", "per", "every", "each of them", "both of them", "each of which", "for each", "each one")
+_WEAK = (
+    "by",
+    "near",
+    "at",
+    "behind",
+    "off",
+    "opposite",
+    "facing",
+    "in front of",
+    "sees",
+    "next to",
+    "beside",
+    "directly off",
+)
+_GAP = (
+    "the",
+    "a",
+    "an",
+    "our",
+    "my",
+    "their",
+    "his",
+    "her",
+    "its",
+    "of",
+    "to",
+    "as",
+    "it",
+    "is",
+    "on",
+    "only",
+    "both",
+    "very",
+    "right",
+    "that",
+)
 
 
 def read_joints(reading: Reading) -> None:
     """Reads what rooms are to each other; see above."""
-    _pronouns(reading)
+    read_pronouns(reading)
     for sentence in reading.sentences():
         at_names = {k: one for k, one in reading.named_at().items() if k in sentence}
         for k in sentence:
@@ -34,38 +66,6 @@ def read_joints(reading: Reading) -> None:
         _en_suites(reading, at_names, sentence)
 
 
-def _pronouns(reading: Reading) -> None:
-    """ "One of them", "each with", "two on the ground floor": some of the rooms that were named last."""
-    tokens = reading.tokens
-    for sentence in reading.sentences():
-        for k in sentence:
-            token = tokens[k]
-            before = [one for one in reading.named if one.at < k and one.at >= sentence.start and one.of is None]
-            nearby = [one for one in before if k - one.at < 14]
-            after = tokens[k + 1] if k + 1 < len(tokens) else None
-            if not nearby or any(one.first <= k <= one.last for one in reading.named):
-                continue
-            whole = next((one for one in reversed(nearby) if one.count is None or one.count > 1), nearby[-1])
-            of_them = after is not None and (after.has("of_them") or after.text in ("of",) and k + 2 < len(tokens) and tokens[k + 2].text == "them")
-            count = token.get("number")
-            if count is not None and after is not None and (of_them or after.text in ("en-suite", "with", "is", "has", ",") or after.get("room") == "ensuite"):
-                if not of_them and tokens[k - 1].text not in (",", ":", "and", "("):
-                    continue
-                _refer(reading, whole, k, int(count), k + 1 if of_them else k)
-            elif token.text in _PER_EACH and after is not None and (after.text in ("with", "has", "have", "gets", "has its own", ",") or after.has("joint") or after.has("room")):
-                _refer(reading, whole, k, None, k)
-    reading.named.sort(key=lambda one: one.at)
-
-
-def _refer(reading: Reading, whole: Named, at: int, count: int | None, last: int) -> None:
-    if any(one.at == at for one in reading.named):
-        return
-    span = Span(reading.tokens[at].span.start, reading.tokens[last].span.end)
-    reading.named.append(Named(whole.kind, at, at, last, span, count, "number" if count else "", of=whole))
-    for k in range(at, last + 1):
-        reading.did(k, "rooms")
-
-
 def _slash(reading: Reading, names: dict[int, Named], at: int) -> None:
     left, right = _before(names, at), _after(names, at)
     if left is not None and right is not None and left.last == at - 1 and right.first == at + 1:
@@ -73,11 +73,11 @@ def _slash(reading: Reading, names: dict[int, Named], at: int) -> None:
         reading.did(at, "joint")
 
 
-def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, kind: str) -> None:
+def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, kind: Any) -> None:
     """A word for what rooms are to each other, with the rooms on both of its sides."""
-    tokens, token = reading.tokens, reading.tokens[at]
+    token = reading.tokens[at]
     left = _before(names, at)
-    if left is None:
+    if left is None or _something_between(reading, left, at):
         return
     if kind in ("opposite_ends", "together"):
         _alone(reading, names, at, kind, left)
@@ -101,21 +101,40 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         _to_pronoun(reading, names, at, left, kind)
 
 
+def _something_between(reading: Reading, left: Named, at: int) -> bool:
+    """Whether something else stands between rooms and a word of place, which is said of that: "a garage, garden access
+    from the living room"; or a side of the compass: "west facing"."""
+    gap = reading.tokens[left.last + 1 : at]
+    if gap and gap[-1].text in ("north", "south", "east", "west"):
+        return True
+    breaks = [k for k, token in enumerate(gap) if token.breaks]
+    return bool(breaks) and any(not t.kinds or t.has("place") for t in gap[breaks[-1] + 1 :])
+
+
 def _alone(reading: Reading, names: dict[int, Named], at: int, kind: str, left: Named) -> None:
     """ "Kitchen and living room in one", "two bedrooms at opposite ends"."""
     token = reading.tokens[at]
-    others = [one for k, one in sorted(names.items()) if one.at < left.at and one.of is None and left.first - one.last <= 2]
+    others: list[Named] = []
+    for one in sorted(names.values(), key=lambda n: -n.at):  # the list that ends with the last room
+        if one.at < left.at and one.of is None and (others[-1] if others else left).first - one.last <= 2:
+            others.append(one)
+    others.reverse()
     if kind == "together":
         after = _after(names, at)
-        pair = (others[-1], left) if others else None
+        pair: tuple[Named, Named] | None = None
         if pair is None and after is not None and after.first - at <= 2:
             follows = [one for k, one in sorted(names.items()) if k > after.at and one.first - after.last <= 2]
             pair = (after, follows[0]) if follows else None
-        if pair is not None:
-            reading.joints.append(Joint(pair[0], pair[1], "open", token.span))
+        chain = [*others, left] if others else list(pair or ())
+        for one, two in zip(chain, chain[1:], strict=False):
+            reading.joints.append(Joint(one, two, "open", token.span))
             reading.did(at, "joint")
         return
-    reading.joints.append(Joint(left, left, "apart", token.span) if not others or left.count != 1 else Joint(others[-1], left, "apart", token.span))
+    reading.joints.append(
+        Joint(left, left, "apart", token.span)
+        if not others or left.count != 1
+        else Joint(others[-1], left, "apart", token.span)
+    )
     reading.did(at, "joint")
 
 
@@ -138,7 +157,7 @@ def _between(reading: Reading, names: dict[int, Named], sentence: range, at: int
             _done_pronoun(reading, at)
 
 
-def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: str) -> None:
+def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: AdjacencyKind) -> None:
     """ "A bathroom off each of them", "with a kitchen behind it"."""
     tokens = reading.tokens
     before = [one for one in reading.named if one.at < left.first and one.of is None and one.root is not left]
@@ -175,13 +194,19 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         rights.append(more)
     whole = left.root
     for one in rights:
-        if one.kind.type not in _ANNEXES or one.kind.name == whole.kind.name:
+        if one.kind.type not in data("words")["annexes"] or one.kind.name == whole.kind.name:
             continue
         follows = tokens[one.last + 1] if one.last + 1 < len(tokens) else None
-        pointed = follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
+        pointed = (
+            follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
+        )
         many = whole.count is None or whole.count > 1
         own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
-        each = left.of is not None and left.count is None or any(t.text in _PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        each = (
+            left.of is not None
+            and left.count is None
+            or any(t.text in PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        )
         if not own and not each and many and _is_of_use(reading, whole):
             continue  # "a flat of three bedrooms with a kitchen"
         if many and (own or each) and (one.told != "number" or one.count == 1):
@@ -193,7 +218,7 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         reading.joints.append(Joint(one, left, "door", tokens[at].span, each=one.per is not None))
         reading.did(at, "joint")
         for t in tokens[one.last + 1 : one.last + 3]:
-            if t.text in _PER_EACH:
+            if t.text in PER_EACH:
                 t.done = t.done or "joint"
 
 
@@ -251,7 +276,8 @@ def _after(names: dict[int, Named], at: int) -> Named | None:
 def _close(reading: Reading, at: int, right: Named) -> bool:
     """Whether only small words stand between a word and the room behind it."""
     return all(
-        t.text in _GAP or t.has("own", "soft", "size") and not t.breaks or t.text in ("one",) for t in reading.tokens[at + 1 : right.first]
+        t.text in _GAP or t.has("own", "soft", "size") and not t.breaks or t.text in ("one",)
+        for t in reading.tokens[at + 1 : right.first]
     )
 
 
@@ -280,16 +306,23 @@ def _and_more(reading: Reading, names: dict[int, Named], one: Named) -> Named | 
     tokens = reading.tokens
     if one.last + 1 >= len(tokens) or tokens[one.last + 1].text not in ("and", "&"):
         return None
-    return next((o for o in names.values() if o.first == one.last + 2 or o.first == one.last + 3 and tokens[one.last + 2].text in _GAP), None)
+    return next(
+        (
+            o
+            for o in names.values()
+            if o.first == one.last + 2 or o.first == one.last + 3 and tokens[one.last + 2].text in _GAP
+        ),
+        None,
+    )
 
 
 def _subjects(reading: Reading, names: dict[int, Named], left: Named, at: int) -> list[Named]:
     return [left]
 
 
-def _put(reading: Reading, left: Named, right: Named, kind: str, at: int) -> None:
+def _put(reading: Reading, left: Named, right: Named, kind: AdjacencyKind, at: int) -> None:
     tokens = reading.tokens
-    each = any(t.text in _PER_EACH for t in tokens[at : right.first])
+    each = any(t.text in PER_EACH for t in tokens[at : right.first])
     if each and left.told != "number":
         left.per = right
     elif right.definite and right.told == "":
@@ -298,4 +331,3 @@ def _put(reading: Reading, left: Named, right: Named, kind: str, at: int) -> Non
         return
     reading.joints.append(Joint(left, right, kind, tokens[at].span, each=each or kind == "apart"))
     reading.did(at, "joint")
-

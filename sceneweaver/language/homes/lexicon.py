@@ -10,6 +10,7 @@ from typing import Any
 from sceneweaver.assets.plurals import singular
 from sceneweaver.io import packaged
 from sceneweaver.knowledge.load import read_yaml, room_words
+from sceneweaver.plans.programme import Use as PlanUse
 
 LONGEST = 9
 """Words of the longest phrase."""
@@ -42,7 +43,7 @@ class Use:
     """A use of ``uses.yaml``: ``plan`` is that of the programme, ``means`` what words mean there."""
 
     name: str
-    plan: str
+    plan: PlanUse
     means: Mapping[str, str]
     needs: Mapping[str, int]
     staff: Mapping[str, str]
@@ -61,7 +62,7 @@ def room_kinds() -> Mapping[str, RoomKind]:
     """All kinds of rooms by name."""
     return {
         name: RoomKind(
-            name, row.get("type", name), row["words"][0], tuple(row.get("is", ())), row.get("for", "")
+            name, row.get("type", name), row.get("noun", row["words"][0]), tuple(row.get("is", ())), row.get("for", "")
         )
         for name, row in data("rooms").items()
     }
@@ -113,7 +114,21 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         put(names, "place", place)
     for storey, names in words["storeys"].items():
         put(names, "storey", storey)
-    for kind in ("equal", "storey_words", "single_storey", "accessible", "no", "own", "each", "of_them", "them", "soft", "units", "shared_by"):
+    for kind in (
+        "equal",
+        "storey_words",
+        "single_storey",
+        "accessible",
+        "no",
+        "own",
+        "each",
+        "of_them",
+        "them",
+        "soft",
+        "vague",
+        "units",
+        "shared_by",
+    ):
         put(words[kind], kind)
     for kind, names in words["envelope"].items():
         put(names, kind)
@@ -136,14 +151,20 @@ def known(phrase: str) -> tuple[Mapping[str, Any], bool] | None:
     single = _single(last)
     if single != last and last not in _PLACE_SINGULAR:
         kinds = table.get(f"{head} {single}".strip())
-        kept = {k: v for k, v in (kinds or {}).items() if k in ("room", "use", "person", "means", "visitors", "staff",
-                                                               "groups", "animal")}
+        kept = {
+            k: v
+            for k, v in (kinds or {}).items()
+            if k in ("room", "use", "person", "means", "visitors", "staff", "groups", "animal")
+        }
         if kept:
             return kept, True
     if " " in phrase and _single(last) in data("words")["room_heads"]:
         kind = room_words().get(f"{head} {_single(last)}".strip())
-        if kind is not None:
+        if kind is not None and kind not in room_kinds():
             return {"known_room": kind}, single != last
+    owner = phrase.removesuffix("'s").removesuffix("s'")
+    if owner != phrase and "person" in table.get(owner, {}):
+        return {"person": table[owner]["person"]}, False
     return None
 
 

@@ -8,20 +8,49 @@ from functools import cache
 from sceneweaver.knowledge.load import room_types, room_words
 from sceneweaver.language.model import Span
 from sceneweaver.language.vocabulary import vocabulary
+from sceneweaver.plans import room_types as plan_types
 
-from .lexicon import RoomKind, plain, room_kinds
+from .described import read_before, read_behind
+from .lexicon import RoomKind, data, plain, room_kinds
 from .parts import Named, Reading
 from .tokens import Token
 
-_DEFINITE = ("the", "our", "my", "their", "his", "her", "its", "your")
 _BEDS = ("bed", "beds", "bd", "br", "bhk", "bedroomed", "bedder")
-_LISTED = ("living", "dining", "waiting", "theatre", "recovery", "master", "entry", "check in", "administration", "ladies", "gents")
+_LISTED = (
+    "living",
+    "dining",
+    "waiting",
+    "theatre",
+    "recovery",
+    "master",
+    "entry",
+    "check in",
+    "administration",
+    "ladies",
+    "gents",
+)
 """Names of rooms that are also other words: rooms only in lists."""
 
 _BEHIND_LIST = ("and", "on", "of", "in", "for", "by", "/", "&", "or", "with", "at", "near")
-_ONLY_COUNTED = ("room", "double", "chair", "desk", "hot desk", "shower", "flat", "hall", "studio", "lounge", "bar", "ward", "gallery",
-                 "waiting", "theatre", "lab", "surgery")
-_LOOK_KINDS = ("styles", "moods", "color", "materials", "material", "finish", "adjective", "density", "room_scale", "scale", "shape")
+_ONLY_COUNTED = (
+    "room",
+    "double",
+    "chair",
+    "desk",
+    "hot desk",
+    "shower",
+    "flat",
+    "hall",
+    "studio",
+    "lounge",
+    "bar",
+    "ward",
+    "gallery",
+    "waiting",
+    "theatre",
+    "lab",
+    "surgery",
+)
 
 
 def read_mentions(reading: Reading) -> None:
@@ -38,6 +67,20 @@ def read_mentions(reading: Reading) -> None:
             reading.named.append(_named(reading, at, kind))
         elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
+    _en_suites(reading)
+
+
+def _en_suites(reading: Reading) -> None:
+    """ "Four en-suite bedrooms": the number is that of the bedrooms."""
+    for one, two in zip(reading.named, reading.named[1:], strict=False):
+        if (
+            one.kind.name == "ensuite"
+            and two.first == one.last + 1
+            and two.kind.name in ("bedroom", "master_bedroom", "guest_room")
+        ):
+            two.count, two.told = (one.count, one.told) if one.told else (two.count, two.told)
+            two.size = two.size or one.size
+            one.count, one.told, one.size = 1, "", None
 
 
 def _total(reading: Reading, at: int) -> Named | None:
@@ -48,8 +91,18 @@ def _total(reading: Reading, at: int) -> Named | None:
         return None
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     glued = tokens[at - 1].glued
-    leads = after is not None and (after.has("use") or after.get("number") is not None or after.text in ("place", "unit"))
-    short = token.text in _BEDS and (leads or glued and not (after is not None and is_thing(after)))
+    leads = after is not None and (
+        after.has("use") or after.get("number") is not None or after.text in ("place", "unit")
+    )
+    behind = tokens[at + 2] if at + 2 < len(tokens) else None
+    if (
+        after is not None
+        and after.text in ("+", "and", "&", "/", ",")
+        and behind is not None
+        and (at < 2 or tokens[at - 2].breaks)
+    ):
+        leads = leads or token.text in _BEDS and (behind.text in ("bath", "baths") or behind.get("number") is not None)
+    short = token.text in _BEDS and (leads or glued and not (after is not None and _heads(after)))
     compound = token.text in ("bedroom", "bedrooms") and (leads or glued)
     rooms = token.text in ("room", "rooms", "roomed") and (leads or glued) and not token.plural
     if not (short or compound or rooms) or (rooms and after is not None and after.text == "of"):
@@ -68,13 +121,22 @@ def _total(reading: Reading, at: int) -> Named | None:
 def _sleeper(reading: Reading, at: int) -> Named | None:
     """ "Grandad sleeps downstairs": his bedroom."""
     before = reading.tokens[at - 1] if at else None
-    kinds = {"seniors": "senior_bedroom", "couples": "master_bedroom", "parents": "master_bedroom", "children": "childrens_room", "adults": "bedroom",
-             "twins": "childrens_room", "babies": "nursery"}
+    kinds = {
+        "seniors": "senior_bedroom",
+        "couples": "master_bedroom",
+        "parents": "master_bedroom",
+        "children": "childrens_room",
+        "adults": "bedroom",
+        "twins": "childrens_room",
+        "babies": "nursery",
+    }
     name = kinds.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
     if name is None:
         return None
     reading.did(at, "rooms")
-    return Named(room_kinds()[name], at, at, at, reading.tokens[at].span, 1, "", definite=True, noun=room_kinds()[name].noun)
+    return Named(
+        room_kinds()[name], at, at, at, reading.tokens[at].span, 1, "", definite=True, noun=room_kinds()[name].noun
+    )
 
 
 def _kind(reading: Reading, at: int) -> RoomKind | None:
@@ -88,16 +150,26 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     meant = use.means.get(single)
     if meant is None and not token.has("room", "known_room"):
         return None
-    if after is not None and not token.plural and is_thing(after) and not after.breaks:
+    if after is not None and not token.plural and _heads(after) and not after.breaks:
         return None  # "kitchen table", "bathroom door"
-    if after is not None and after.text in ("door", "doors", "wall", "window", "windows", "furniture") and not after.breaks:
+    if (
+        after is not None
+        and after.text in ("door", "doors", "wall", "window", "windows", "furniture")
+        and not after.breaks
+    ):
         return None
-    if single in _LISTED and meant is None and not (after is None or after.breaks or after.text in _BEHIND_LIST):
+    if (
+        single in _LISTED
+        and meant is None
+        and not (after is None or after.breaks or after.has("joint") or after.text in _BEHIND_LIST)
+    ):
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
+        if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
+            return room_kinds()[meant or "bedroom"]  # "a lockable room"
         base = room_kinds()[meant or "bedroom"] if use.plan not in ("flat", "house") else room_kinds()["hobby_room"]
         return RoomKind(base.name, base.type, " ".join([*words, "room"]), base.counts_as)
     if meant is not None:
@@ -114,9 +186,18 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
     if single == "room":
         own = before is not None and before.has("own")
-        told = before is not None and (before.get("number") is not None or not before.kinds or before.has("own", "soft", "size"))
-        in_one = before is not None and before.text in ("one", "single", "same") and at > 1 and tokens[at - 2].text in ("in", "same")
+        told = before is not None and (
+            before.get("number") is not None or not before.kinds or before.has("own", "soft", "size")
+        )
+        in_one = (
+            before is not None
+            and before.text in ("one", "single", "same")
+            and at > 1
+            and tokens[at - 2].text in ("in", "same")
+        )
         return (tokens[at].plural or own or told) and not in_one
+    if single == "hall" and before is not None:
+        return before.breaks or before.number is not None or before.has("function", "own", "size", "soft")
     if single in ("double", "chair", "desk", "hot desk", "shower"):
         return tokens[at].plural or (single == "double" and counted)
     return True
@@ -130,7 +211,13 @@ def _unknown_room(tokens: Sequence[Token], at: int) -> bool:
 def _words_before(tokens: Sequence[Token], at: int) -> list[str]:
     found: list[str] = []
     k = at - 1
-    while k >= 0 and len(found) < 3 and not tokens[k].kinds and tokens[k].text.replace("'", "").isalpha() and not tokens[k].done:
+    while (
+        k >= 0
+        and len(found) < 3
+        and not tokens[k].kinds
+        and tokens[k].text.replace("'", "").isalpha()
+        and not tokens[k].done
+    ):
         found.insert(0, tokens[k].text)
         k -= 1
     return found
@@ -139,8 +226,6 @@ def _words_before(tokens: Sequence[Token], at: int) -> list[str]:
 @cache
 def known_room(name: str, said: str) -> RoomKind:
     """A kind of room of the knowledge base that plans have no type of its own for: it takes that of its kin."""
-    from sceneweaver.plans import room_types as plan_types
-
     if name in plan_types():
         return RoomKind(name, name, said)
     area = room_types()[name].area
@@ -153,102 +238,47 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     tokens = reading.tokens
     token = tokens[at]
     said = _singular(token)
-    noun = said if said in room_words() or said.endswith(f" {kind.noun}") else kind.noun
-    found = Named(kind, at, at, at, token.span, noun=noun)
+    found = Named(kind, at, at, at, token.span, noun=_noun(kind, said))
+    found.said = said
     if kind.noun.endswith(" room") and said == "room":
         found.first = at - len(kind.noun.split()) + 1
-    _left(reading, found)
-    _right(reading, found)
+    read_before(reading, found)
+    read_behind(reading, found)
     first, last = tokens[found.first], tokens[found.last]
     found.span = _over(first, last)
     if found.told == "" and not token.plural:
         found.count = 1
+    if said in ("desk", "hot desk"):  # places to work in one room
+        reading.workers = found.count or reading.workers
+        found.count, found.told = 1, ""
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found
 
 
-def _left(reading: Reading, found: Named) -> None:
-    """What stands before the name of a room: how many, how large, what it is like."""
-    tokens = reading.tokens
-    k, strange = found.first - 1, 0
-    while k >= 0:
-        token = tokens[k]
-        if token.breaks or k == reading.use_at or token.done == "rooms" or token.has("joint", "place") and not token.has("own", "size"):
-            break
-        if token.get("number") is not None and not token.has("area"):
-            found.count, found.told = int(token.get("number")), "number"
-            if token.text == "one" and tokens[found.at].plural:
-                found.count, found.told = None, ""
-        elif token.text in ("a", "an", "another"):
-            found.count, found.told = 1, "article"
-        elif token.text in _DEFINITE:
-            found.definite = True
-        elif token.has("size"):
-            found.size = token.get("size")
-        elif token.has("area"):
-            found.area = token.get("area")
-        elif token.has("equal"):
-            found.equal = True
-        elif token.has("accessible"):
-            found.accessible = True
-        elif token.text in ("each", "both", "every", "all"):
-            found.all = True
-        elif token.has("own", "soft"):
-            if token.text in ("several", "many", "few"):
-                found.count = None
-        elif token.has("person", "visitors", "staff", "me", "we") or token.text in ("guest", "staff"):
-            if token.text.endswith(("'s", "s'")) or token.text in ("guest", "staff"):
-                found.definite = found.definite or not found.told
-                if token.text.endswith(("'s", "s'")):
-                    found.looks.append("")
-            else:
-                break
-        elif (looks := _look(token)) and strange < 3:
-            found.looks.insert(0, token.text)
-            strange += 1
-        else:
-            break
-        found.first = k
-        k -= 1
-    found.looks = [word for word in found.looks if word]
+def _noun(kind: RoomKind, said: str) -> str:
+    """What the room's own request calls it: as said, where the reader of rooms knows a kind by that."""
+    row = data("rooms").get(kind.name, {})
+    if said.split()[0] in ("double", "single", "twin") and said.endswith(f" {kind.noun}"):
+        return said
+    meant = room_words().get(said)
+    if meant is None or "noun" in row:
+        return kind.noun
+    own = meant in (kind.name, plan_types()[kind.type].furnish)
+    return said if own or meant not in plan_types() else kind.noun
 
 
-def _look(token: Token) -> bool:
-    """Whether a word says what a room is like."""
-    kinds = vocabulary().get(token.text, {})
-    return any(kind in kinds for kind in _LOOK_KINDS) and "verb" not in kinds and not token.has("function")
-
-
-def _right(reading: Reading, found: Named) -> None:
-    """The area behind the name of a room: "of 12 to 14 sqm each", "(18 m2)", "20 m2"."""
-    tokens = reading.tokens
-    k, seen = found.at + 1, False
-    while k < len(tokens) and k < found.at + 7:
-        token = tokens[k]
-        if token.has("area"):
-            found.area, seen = token.get("area"), True
-            found.last = k
-            least = any(t.text in ("at least", "minimum") for t in tokens[found.at + 1 : k])
-            most = any(t.text in ("at most", "up to", "maximum") for t in tokens[found.at + 1 : k])
-            if least:
-                found.area = (found.area[0], round(found.area[1] * 1.35, 1))
-            elif most:
-                found.area = (round(found.area[0] * 0.75, 1), found.area[1])
-        elif seen and token.text in ("each", ")", "per"):
-            found.last = k
-        elif seen or not (token.text in ("of", "about", "around", "(", "approx", "roughly", "ca", "circa", "with", "each", "some", "is", "only")
-                          or token.has("soft")):
-            break
-        k += 1
+def _heads(token: Token) -> bool:
+    """Whether the name of a room before a word only says which: "kitchen table"."""
+    return is_thing(token) and "verb" not in vocabulary().get(token.text, {})
 
 
 def is_thing(token: Token) -> bool:
-    """Whether a token is a thing by the vocabulary of rooms, and nothing of a home."""
-    if token.kinds and not set(token.kinds) <= {"staff", "envelope"}:
+    """Whether a token is a thing of a room by the vocabulary, and nothing of a home."""
+    if token.kinds and not set(token.kinds) <= {"plot", "means", "place", "staff"}:
         return False
-    kinds = vocabulary().get(token.text, {})
-    return "noun" in kinds and "room" not in kinds and "verb" not in kinds
+    kinds = vocabulary().get(plain(token.text), {})
+    return "noun" in kinds and "room" not in kinds
 
 
 def _singular(token: Token) -> str:
@@ -262,4 +292,3 @@ def _singular(token: Token) -> str:
 
 def _over(one: Token, two: Token) -> Span:
     return Span(min(one.span.start, two.span.start), max(one.span.end, two.span.end))
-

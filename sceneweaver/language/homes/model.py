@@ -8,6 +8,7 @@ from typing import Literal
 from sceneweaver.io import InputError
 from sceneweaver.language.model import Span, Unread
 from sceneweaver.plans import Envelope, Programme, envelope_for
+from sceneweaver.plans.programme import AdjacencyKind
 
 
 @dataclass(frozen=True)
@@ -17,29 +18,37 @@ class RoomAsked:
     Attributes:
         id: of the room in the programme and in the home.
         noun: what its own request calls it.
+        said: what the request calls it; its noun where it does not name it.
         whose: for whom it is ("two children"), empty where nobody is told.
         looks: what it is like ("bright", "red"), in the words of the request.
         wishes: what it is to have besides, in the words of the request.
         unwanted: things that it is not to have.
         size: "big", "small" or "" for a usual one.
+        area: (least, most) [m2] as it was said; None where it was not.
+        storey: on which it was said to be, 0 the ground floor; None where it was not.
+        daylight: whether it was said to have windows; None where it was not.
         assumed: whether the request does not name it.
         span: where the request names it.
     """
 
     id: str
     noun: str
+    said: str = ""
     whose: str = ""
     looks: tuple[str, ...] = ()
     wishes: tuple[str, ...] = ()
     unwanted: tuple[str, ...] = ()
     size: str = ""
+    area: tuple[float, float] | None = None
+    storey: int | None = None
+    daylight: bool | None = None
     assumed: bool = False
     span: Span | None = None
 
 
 @dataclass(frozen=True)
 class Understood:
-    """Words of the request, and what became of them: ``kind`` is rooms, area, storeys, joint, people, request, style ..."""
+    """Words of the request, and what became of them: ``kind`` is rooms, area, storeys, joint, people, request ..."""
 
     words: str
     kind: str
@@ -53,9 +62,26 @@ class JointAsked:
 
     a: tuple[str, ...]
     b: tuple[str, ...]
-    kind: Literal["door", "open", "near", "apart"]
+    kind: AdjacencyKind
     words: str
     place: str = ""
+
+
+@dataclass(frozen=True)
+class HomeDemand:
+    """Something that a request asks for, as measured in a finished home.
+
+    Attributes:
+        kind: count, area, room_area, joint, storeys, storey, profile, envelope, light, excluded, thing.
+        words: what is asked for.
+        status: whether it is so.
+        detail: the numbers.
+    """
+
+    kind: str
+    words: str
+    status: Literal["met", "partly", "not met"]
+    detail: str
 
 
 @dataclass(frozen=True)
@@ -111,7 +137,9 @@ class HomeRequest:
         for room in self.rooms:
             if room.id == room_id:
                 return room
-        raise InputError(f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}")
+        raise InputError(
+            f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}"
+        )
 
     def envelope(self, seed: int = 0) -> Envelope:
         """What the plan has to fit into: of the sides, the shape and the light that are asked for, and else as

@@ -7,6 +7,7 @@ from .lexicon import data, room_kinds
 from .parts import Reading
 from .resolve import Room, bedroomlike, kind_named, new_id
 
+
 def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
     """Adds the rooms that are needed and not named; says what was assumed, one line each."""
     said: list[str] = []
@@ -38,24 +39,40 @@ def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
 
 def _named_for_staff(reading: Reading, rooms: list[Room]) -> bool:
     """Whether rooms of care are told by their number already, so that staff tells no other number."""
-    care = {"doctors_office", "examination_room", "dentist", "treatment_room", "psychotherapy_room", "vet_surgery", "private_office", "dentist"}
+    care = {
+        "doctors_office",
+        "examination_room",
+        "dentist",
+        "treatment_room",
+        "psychotherapy_room",
+        "vet_surgery",
+        "private_office",
+    }
     return any(room.kind.name in care for room in rooms)
 
 
 def _instead(name: str, rooms: list[Room], barred: set[str]) -> bool:
     """Whether rooms stand in for one: people of a shared flat may live in a big kitchen; a single toilet, an
     accessible one."""
-    return any(name in room.kind.counts_as for room in rooms) or name == "washroom" and any(
-        room.type in ("washroom", "guest_toilet", "accessible_toilet", "bathroom") for room in rooms
+    return (
+        any(name in room.kind.counts_as for room in rooms)
+        or name == "washroom"
+        and any(room.type in ("washroom", "guest_toilet", "accessible_toilet", "bathroom") for room in rooms)
     )
 
 
 def _bedrooms(reading: Reading, rooms: list[Room]) -> list[str]:
-    own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name not in ("guest_room", "carers_room")]
+    own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name != "guest_room"]
     if any(room.type in ("dormitory", "studio_apartment", "ward") for room in rooms) or reading.use.name in ("hostel",):
         return []
-    generic = [one for one in reading.named if one.of is None and bedroomlike(one.kind) and one.told in ("number", "total")
-               and one.kind.name in ("bedroom", "studio_room")]
+    generic = [
+        one
+        for one in reading.named
+        if one.of is None
+        and bedroomlike(one.kind)
+        and one.told in ("number", "total")
+        and one.kind.name in ("bedroom", "studio_room")
+    ]
     said: list[str] = []
     if not generic:
         need = dict(bedrooms_for(reading))
@@ -82,9 +99,16 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     if reading.use.needs.get("bathroom") is None and reading.use.needs.get("accessible_bathroom") is None:
         return []
     baths = [room for room in rooms if room.counts_as("bathroom")]
-    shared = [room for room in baths if room.kind.name != "ensuite" and not any(one.per is not None for one in reading.named if room.id in one.ids)]
+    shared = [
+        room
+        for room in baths
+        if room.kind.name != "ensuite" and not any(one.per is not None for one in reading.named if room.id in one.ids)
+    ]
     beds = [room for room in rooms if bedroomlike(room.kind)]
-    told = any(one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred for one in reading.named)
+    told = any(
+        one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred
+        for one in reading.named
+    )
     own = sum(room.kind.name == "ensuite" for room in rooms)
     if told or own and own >= len(beds):
         return []
@@ -119,7 +143,10 @@ def add_landings(rooms: list[Room], storeys: int, placed: dict[str, int | None])
     said: list[str] = []
     for storey in range(1, storeys):
         there = [room for room in rooms if placed.get(room.id) == storey]
-        if any(room.type in ("landing", "hallway", "corridor", "open_office", "living_room", "living_kitchen") for room in there):
+        if any(
+            room.type in ("landing", "hallway", "corridor", "open_office", "living_room", "living_kitchen")
+            for room in there
+        ):
             continue
         name = new_id(rooms, "landing")
         rooms.append(Room(name, room_kinds()["landing"], assumed=True))

@@ -1,10 +1,11 @@
-"""What is read of a request for a home, before it is a programme: rooms as they were named, and what was said of them."""
+"""What is read of a request for a home before it is a programme: rooms as they were named, what was said of them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
 from sceneweaver.language.model import Span
+from sceneweaver.plans.programme import AdjacencyKind
 
 from .lexicon import RoomKind, Use
 from .tokens import Token
@@ -19,11 +20,13 @@ class Named:
         at, first, last: number of the token that names them, and of the first and the last one of the phrase.
         count: how many; None where it is open ("meeting rooms").
         told: how its number was told: "number", "article", "total" (of a two-bedroom flat), or "" for none.
-        definite: whether it is "the" or somebody's, so that it may have been named before; all: whether it is every one.
+        definite: whether it is "the" or somebody's, so that it may have been named before.
+        all: whether it is every one of them.
         of: the rooms that it refers to some of.
         per: the rooms of which each one has its own; times: the people of whom each one has.
-        size: factor on the usual area, area: (least, most) [m2] of each.
+        open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each.
         storey: "ground", "upper" ... as it was said.
+        noun: what its own request calls it; said: its name in the singular.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
     """
 
@@ -42,12 +45,14 @@ class Named:
     size: float | None = None
     area: tuple[float, float] | None = None
     equal: bool = False
+    open: bool = False
     storey: str | None = None
     accessible: bool = False
     daylight: bool | None = None
     looks: list[str] = field(default_factory=list[str])
     wishes: list[str] = field(default_factory=list[str])
     noun: str = ""
+    said: str = ""
     barred: bool = False
     ids: list[str] = field(default_factory=list[str])
 
@@ -63,7 +68,7 @@ class Joint:
 
     a: Named
     b: Named | str
-    kind: str
+    kind: AdjacencyKind
     span: Span
     each: bool = False
     hard: bool = True
@@ -104,6 +109,8 @@ class Reading:
     one_storey: bool = False
     accessible: bool = False
     area: tuple[float, float] | None = None
+    scale: float = 1.0
+    """Factor on the usual areas of all rooms."""
     width: float | None = None
     depth: float | None = None
     l_shape: bool = False
@@ -121,6 +128,12 @@ class Reading:
         """Token is accounted for."""
         one = self.tokens[token] if isinstance(token, int) else token
         one.done = one.done or what
+
+    def say_vague(self, token: Token) -> None:
+        """A note that no plan is measured by a word."""
+        note = f"'{token.text}': nothing of a plan is measured by it"
+        if note not in self.notes:
+            self.notes.append(note)
 
     def sentences(self) -> list[range]:
         """Numbers of the tokens of each sentence."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from sceneweaver.language.model import Span, Unread
@@ -11,20 +12,20 @@ from sceneweaver.plans import room_types as plan_types
 
 from .areas import set_areas
 from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
+from .each import read_each
 from .floors import read_floors
-from .households import people_told, read_people
+from .households import people_told, read_people, settle
 from .joined import read_joints
 from .lexicon import Use, uses
 from .mentions import read_mentions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
-from .parts import Named, Reading
+from .parts import Joint, Named, Reading
 from .resolve import Room, resolve
 from .site import read_site
 from .tokens import Spoken, spoken
 from .use_named import use_by_rooms, use_in
 from .wishes import read_wishes
-
 
 _OF_CHILDREN = ("nursery", "childrens_room", "teen_bedroom", "playroom")
 
@@ -43,16 +44,19 @@ def read_home(request: str) -> HomeRequest:
     """
     reading, said = read_parts(request)
     rooms = resolve(reading)
-    _persons_storeys(reading, rooms)
     assumed = add_needed(reading, rooms)
     count, placed = storeys_of(reading, rooms)
     assumed += place_rooms(reading, rooms, count, placed)
+    for token in reading.tokens:
+        if token.has("vague") and not token.done:
+            reading.say_vague(token)
     notes = list(dict.fromkeys(reading.notes))
     notes += set_areas(reading, rooms)
     entrance = entrance_of(reading, rooms, placed)
+    _open_kitchen(reading, rooms)
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
-    own = _asked(reading, rooms)
+    own = _asked(reading, rooms, placed)
     counts: dict[str, int] = {}
     for room in rooms:
         if not room.assumed:
@@ -105,15 +109,27 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     read_floors(reading)
     read_site(reading)
     read_people(reading)
+    read_each(reading)
+    settle(reading)
     read_wishes(reading)
     return reading, said
 
 
-def _persons_storeys(reading: Reading, rooms: list[Room]) -> None:
-    """ "Grandad sleeps downstairs": his bedroom is there."""
+def _open_kitchen(reading: Reading, rooms: list[Room]) -> None:
+    """An open kitchen is open to the room where people live, where nothing else is said of it."""
+    living = next((room for room in rooms if room.type in ("living_room", "living_dining", "dining_room")), None)
+    for one in reading.named:
+        if not one.open or living is None or not one.ids or one.kind.type not in ("kitchen", "kitchen_diner"):
+            continue
+        if any(one in (joint.a, joint.b) and joint.kind == "open" for joint in reading.joints):
+            continue
+        there = next((n for n in reading.named if living.id in n.ids), None)
+        if there is None:
+            there = Named(living.kind, -1, -1, -1, one.span, 1, ids=[living.id])
+        reading.joints.append(Joint(one, there, "open", one.span))
 
 
-def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
+def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]) -> list[RoomAsked]:
     """What each room's own request is to say; things in no room that is named go where such things are."""
     own: dict[str, RoomAsked] = {}
     for room in rooms:
@@ -122,10 +138,14 @@ def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
         own[room.id] = RoomAsked(
             id=room.id,
             noun=next((one.noun for one in reversed(named) if one.noun), room.kind.noun),
+            said=next((one.said for one in named if one.said), room.kind.noun),
             whose=_whose(reading, room),
             looks=tuple(dict.fromkeys(word for one in named for word in one.looks)),
             wishes=tuple(dict.fromkeys(words for one in named for words in one.wishes)),
             size="" if size is None or size == 1 else "big" if size > 1 else "small",
+            area=next((one.area for one in named if one.area is not None), None),
+            storey=placed.get(room.id) if room.storey else None,
+            daylight=next((one.daylight for one in named if one.daylight is not None), None),
             assumed=not named,
             span=named[0].span if named else None,
         )
@@ -137,7 +157,9 @@ def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
         there = _places(words, rooms)
         for room in there or rooms:
             own[room.id] = replace(own[room.id], unwanted=(*own[room.id].unwanted, words))
-        reading.rows.append((span, "not wanted", f"{words}: in the request of {', '.join(r.id for r in there) or 'all rooms'}"))
+        reading.rows.append(
+            (span, "not wanted", f"{words}: in the request of {', '.join(r.id for r in there) or 'all rooms'}")
+        )
     return list(own.values())
 
 
@@ -166,18 +188,29 @@ def _places(words: str, rooms: list[Room]) -> list[Room]:
     found: list[tuple[float, int, Room]] = []
     for index, room in enumerate(rooms):
         kind = room_type(room.type).furnish
-        if kind in room_types() and (share := told_by(categories, room_types()[kind])) > 0:
+        if kind is not None and kind in room_types() and (share := told_by(categories, room_types()[kind])) > 0:
             found.append((-share, index, room))
     if found:
         return [room for _, _, room in sorted(found, key=lambda one: one[:2])]
     likely = likeliest_room(categories) if categories else None
     if likely is not None and likely.name in plan_types():
         roles = plan_types()[likely.name].roles - {"daylight", "habitable"}
-        alike = [(len(roles & room_type(room.type).roles), room.kind.name in _OF_CHILDREN and likely.name in _OF_CHILDREN, -k) for k, room in enumerate(rooms)]
+        alike = [
+            (
+                len(roles & room_type(room.type).roles),
+                room.kind.name in _OF_CHILDREN and likely.name in _OF_CHILDREN,
+                -k,
+            )
+            for k, room in enumerate(rooms)
+        ]
         best = max(alike, default=(0, False, 0))
         if best[0] >= 2:
             return [rooms[-best[2]]]
-    return [room for room in rooms if room.type in ("living_room", "living_kitchen", "living_dining", "open_office", "waiting_room")]
+    return [
+        room
+        for room in rooms
+        if room.type in ("living_room", "living_kitchen", "living_dining", "open_office", "waiting_room")
+    ]
 
 
 def _understood(reading: Reading) -> list[Understood]:
@@ -203,9 +236,26 @@ def _unread(reading: Reading) -> list[Unread]:
     found: list[Unread] = []
     run: list[Span] = []
     for token in (*reading.tokens, None):
-        open_ = token is not None and not token.done and not token.breaks and not token.has(
-            "function", "soft", "own", "each", "no", "them", "equal", "of_them", "size", "number", "animal", "we", "me"
-        ) and any(c.isalpha() for c in token.text)
+        open_ = (
+            token is not None
+            and not token.done
+            and not token.breaks
+            and not token.has(
+                "function",
+                "soft",
+                "own",
+                "each",
+                "no",
+                "them",
+                "equal",
+                "of_them",
+                "animal",
+                "we",
+                "me",
+            )
+            and any(c.isalnum() for c in token.text)
+            and token.text not in ("a", "an", "one")
+        )
         if open_ and token is not None:
             run.append(token.span)
         elif run:

@@ -10,10 +10,6 @@ from .households import bedrooms_for
 from .lexicon import RoomKind, data, room_kinds
 from .parts import Named, Reading
 
-_ONE_ONLY = ("living_room", "kitchen", "entrance_hall", "living_kitchen", "living_dining", "kitchen_diner", "garage", "reception",
-             "waiting_room", "open_office")
-"""Kinds of which a second "a" hardly means another one, where a later sentence says it."""
-
 
 @dataclass
 class Room:
@@ -85,13 +81,25 @@ def _same(reading: Reading) -> None:
             continue
         if one.told in ("number", "article"):
             twin = next((o for o in before if o.of is None and o.kind.name == one.kind.name), None)
-            once = one.told == "article" and one.kind.name in _ONE_ONLY and twin is not None and (twin.count == 1 or twin.count is None)
+            once = (
+                one.told == "article"
+                and one.kind.name in data("words")["one_only"]
+                and twin is not None
+                and (twin.count == 1 or twin.count is None)
+            )
             if once and twin is not None and _other_sentence(reading, twin, one):
                 _become(one, twin, None)
             continue
-        target = next((o for o in reversed(before) if o.of is None and _means(one, o) and (o in explicit or True)), None)
+        target = next((o for o in reversed(before) if o.of is None and _means(one, o)), None)
         if target is None and not one.told:
-            target = next((o for o in own[index + 1 :] if o in explicit and o.of is None and o.kind.name == one.kind.name and o.told), None)
+            target = next(
+                (
+                    o
+                    for o in own[index + 1 :]
+                    if o in explicit and o.of is None and o.kind.name == one.kind.name and o.told
+                ),
+                None,
+            )
         if target is not None and target is not one:
             _become(one, target, None if one.all or one.count is None or target.count == 1 else 1)
 
@@ -99,7 +107,8 @@ def _same(reading: Reading) -> None:
 def _means(one: Named, other: Named) -> bool:
     """Whether a name without a number may mean rooms that were named: "the kitchen" a dining kitchen."""
     if one.kind.name == other.kind.name:
-        return one.kind.noun == other.kind.noun
+        own = not bedroomlike(one.kind) and len(one.said.split()) > 1 and len(other.said.split()) > 1
+        return one.kind.noun == other.kind.noun and (one.said == other.said or not own or one.definite)
     return one.kind.name in other.kind.counts_as and not (one.kind.name == "bathroom" and not one.definite)
 
 
@@ -140,8 +149,15 @@ def _make(reading: Reading, rooms: list[Room], one: Named, count: int) -> None:
 
 def _bedrooms_left(reading: Reading, rooms: list[Room], one: Named) -> int:
     """How many bedrooms those who live there need beside the ones that are there, for "bedrooms" without a number."""
-    told = sum(n.count or 1 for n in reading.named if n.of is None and n is not one and bedroomlike(n.kind) and n.kind.name not in
-               ("guest_room", "carers_room") and not n.barred)
+    told = sum(
+        n.count or 1
+        for n in reading.named
+        if n.of is None
+        and n is not one
+        and bedroomlike(n.kind)
+        and n.kind.name not in ("guest_room", "carers_room")
+        and not n.barred
+    )
     need = sum(count for _, count in bedrooms_for(reading))
     return max(need - told, 2 if told == 0 else 1) if need else 2
 
@@ -162,11 +178,26 @@ def _refer(reading: Reading, rooms: list[Room], one: Named) -> None:
     if one.count is None:
         special = one.kind.name != whole.kind.name and one.kind.name not in whole.kind.counts_as
         left = _free(reading, whole, one)
-        one.ids = (left[1:] or left)[: max(1, len(left) - 1)] if special and len(left) > 1 and bedroomlike(one.kind) else list(whole.ids)
+        one.ids = (
+            (left[1:] or left)[: max(1, len(left) - 1)]
+            if special and len(left) > 1 and bedroomlike(one.kind)
+            else list(whole.ids)
+        )
     else:
         left = _free(reading, whole, one)
-        same = next((o for o in reading.named if o is not one and o.of is whole and o.kind.name == one.kind.name and o.ids and one.definite
-                     and o.count == one.count), None)
+        same = next(
+            (
+                o
+                for o in reading.named
+                if o is not one
+                and o.of is whole
+                and o.kind.name == one.kind.name
+                and o.ids
+                and one.definite
+                and o.count == one.count
+            ),
+            None,
+        )
         one.ids = list(same.ids) if same is not None else (left or list(whole.ids))[: one.count]
     if one.kind.name != whole.kind.name and whole.kind.name in one.kind.counts_as:
         for room in rooms:
@@ -175,7 +206,12 @@ def _refer(reading: Reading, rooms: list[Room], one: Named) -> None:
 
 
 def _free(reading: Reading, whole: Named, one: Named) -> list[str]:
-    taken = {i for o in reading.named if o is not one and o.of is not None and o.root is whole and o.count is not None for i in o.ids}
+    taken = {
+        i
+        for o in reading.named
+        if o is not one and o.of is not None and o.root is whole and o.count is not None
+        for i in o.ids
+    }
     return [i for i in whole.ids if i not in taken]
 
 

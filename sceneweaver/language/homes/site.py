@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from .parts import Reading
 
+WHOLE = 0.5
+"""Share of what a word for a size changes of one room that it changes of all of them."""
+
+SMALLEST = 14.0
+"""Least floor of a home [m2]."""
+
 
 def read_site(reading: Reading) -> None:
     """Reads area, sides, shape and light of a home, and whether the accessible profile is asked for."""
@@ -24,29 +30,53 @@ def read_site(reading: Reading) -> None:
             reading.rows.append((token.span, "envelope", "L-shaped"))
             reading.did(at, "envelope")
         elif token.has("one_side", "two_sides", "three_sides") and _of_windows(reading, at):
-            reading.window_sides = next(n for n, k in ((1, "one_side"), (2, "two_sides"), (3, "three_sides")) if token.has(k))
+            reading.window_sides = next(
+                n for n, k in ((1, "one_side"), (2, "two_sides"), (3, "three_sides")) if token.has(k)
+            )
             reading.rows.append((token.span, "envelope", f"windows on {reading.window_sides} sides"))
             for k in range(max(0, at - 4), at + 1):
                 if k == at or tokens[k].has("windows"):
                     reading.did(k, "envelope")
         elif token.has("accessible"):
             _accessible(reading, at)
+    _size(reading)
     _light(reading)
     _sides_by(reading)
     at_home = reading.use.plan in ("flat", "house")  # an accessible toilet alone makes no practice of another profile
-    if reading.use.profile == "accessible" or at_home and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named):
+    if (
+        reading.use.profile == "accessible"
+        or at_home
+        and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named)
+    ):
         reading.accessible = True
+
+
+def _size(reading: Reading) -> None:
+    """ "A small clinic", "a big house": all of its rooms are somewhat smaller or larger."""
+    k = (reading.use_at or 0) - 1
+    while k >= 0 and not reading.tokens[k].breaks and (reading.use_at or 0) - k < 5:
+        token = reading.tokens[k]
+        if token.has("size") and not token.done:
+            reading.scale = 1.0 + (token.get("size") - 1.0) * WHOLE
+            reading.rows.append((token.span, "area", f"rooms of {reading.scale:.0%} of their usual floor"))
+            reading.did(k, "area")
+        k -= 1
 
 
 def _area(reading: Reading, at: int) -> None:
     """The area of the home, where no room is right beside it."""
     token = reading.tokens[at]
     low, high = token.get("area")
-    before = next((one for one in reversed(reading.named) if one.of is None and one.last < at), None)
-    if before is not None and before.area is None and 0 < at - before.last <= 4 and not any(
-        t.breaks for t in reading.tokens[before.last + 1 : at]
+    before = next((one for one in reversed(reading.named) if one.last < at), None)
+    if (
+        before is not None
+        and before.root.area is None
+        and 0 < at - before.last <= 4
+        and not any(t.breaks for t in reading.tokens[before.last + 1 : at])
     ):
-        before.area = (low, high)
+        before.root.area = (low, high)
+    elif high < SMALLEST and reading.named:
+        return  # no home is as small
     else:
         reading.area = (low, high)
         reading.rows.append((token.span, "area", f"{(low + high) / 2:g} m2 in all"))
@@ -95,7 +125,12 @@ def _light(reading: Reading) -> None:
         before = next((one for one in reversed(reading.named) if one.last < at), None)
         after = next((one for one in reading.named if one.first > at), None)
         no = at and tokens[at - 1].has("no") or token.text == "windowless"
-        if token.text in ("daylight", "light") and after is not None and after.first - at <= 3 and tokens[at + 1].text in ("in", "for"):
+        if (
+            token.text in ("daylight", "light")
+            and after is not None
+            and after.first - at <= 3
+            and tokens[at + 1].text in ("in", "for")
+        ):
             after.root.daylight = True
         elif before is not None and at - before.last <= 5 and not any(t.stops for t in tokens[before.last : at]):
             if no:

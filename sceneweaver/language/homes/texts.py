@@ -60,7 +60,11 @@ def sentence(room: RoomAsked, styles: tuple[str, ...] = ()) -> str:
 def _counted(wish: str) -> str:
     """A thing that is named bare gets its article: "crib" is "a crib"."""
     first, last = wish.split()[0], wish.split()[-1]
-    if first in ("a", "an", "the", "two", "three", "four", "five", "six", "some") or first[0].isdigit() or last.endswith("s"):
+    if (
+        first in ("a", "an", "the", "two", "three", "four", "five", "six", "some")
+        or first[0].isdigit()
+        or last.endswith("s")
+    ):
         return wish
     return f"{'an' if first[0] in 'aeiou' else 'a'} {wish}"
 

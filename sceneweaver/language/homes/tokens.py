@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
 from sceneweaver.language.model import Span
 from sceneweaver.language.source import FOOT, SQUARE_FOOT, check_text
-from sceneweaver.language.translation import UNKNOWN, language_of, translated
+from sceneweaver.language.translation import language_of, tables, translated
 from sceneweaver.language.vocabulary import NUMBERS
+from sceneweaver.language.word_forms import Tables, keys
 
 from .lexicon import LONGEST, data, known
 
@@ -24,7 +25,8 @@ _SQUARE = r"(?:m2|m²|sqm|sq\.? ?m(?:et(?:er|re)s?)?\b|square[- ]met(?:er|re)s?|
 _FEET2 = r"(?:sq\.? ?ft\.?|sqft|square[- ]f(?:ee|oo)t|ft2|ft²)"
 _LENGTH = r"(?:met(?:er|re)s?|m|feet|foot|ft)"
 _TOKEN = re.compile(
-    rf"(?P<area>(?P<low>{_NUMBER})(?: ?(?:to|-|–) ?(?P<high>{_NUMBER}))?[ -]?(?:(?P<sqm>{_SQUARE})|(?P<sqft>{_FEET2})))(?![\w])"
+    rf"(?P<area>(?P<low>{_NUMBER})(?: ?(?:to|-|–) ?(?P<high>{_NUMBER}))?[ -]?"
+    rf"(?:(?P<sqm>{_SQUARE})|(?P<sqft>{_FEET2})))(?![\w])"
     rf"|(?P<dims>(?P<w>{_NUMBER}) ?(?P<wu>{_LENGTH})? ?(?:x|×|by|\*) ?(?P<d>{_NUMBER}) ?(?P<du>{_LENGTH}))(?![\w])"
     rf"|(?P<length>(?P<l>{_NUMBER})[ -]?(?P<lu>{_LENGTH}))(?![\w²])"
     r"|(?P<number>\d+(?:\.\d+)?)"
@@ -108,59 +110,25 @@ def spoken(text: str) -> Spoken:
     said = "".join(letters)
     language = language_of(said)
     if language != "en":
-        said, origin = _in_english(said, origin, language, text)
+        said, origin = translated(said, origin, language, text, _tables(language))
     raw = _raw(said)
     found = _phrases(raw, origin)
     return Spoken(text, language, tuple(_numbers(found)))
 
 
 @cache
-def _own_words(language: str) -> re.Pattern[str]:
-    """The words of homes in a language, the longest first."""
-    names = sorted((str(name) for name in data("translations")[language]), key=len, reverse=True)
-    ends = "" if language == "zh" else r"(?![^\W\d_])"
-    begins = "" if language == "zh" else r"(?<![^\W\d_])"
-    return re.compile(begins + "(?:" + "|".join(re.escape(name) for name in names) + ")" + ends)
-
-
-def _in_english(text: str, origin: list[int], language: str, request: str) -> tuple[str, list[int]]:
-    """A request in another language in English. What words of homes mean is told apart from what they mean in one room
-    (a "piso" is a floor there): they stand as codes, which no table has, while the rest is translated."""
-    table = data("translations")[language]
-    letters: list[str] = []
-    places: list[int] = []
-    meant: list[str] = []
-    last = 0
-    for m in _own_words(language).finditer(text):
-        if language == "de" and not request[origin[m.start()]].isupper():
-            continue  # there nouns have capitals, and small words are told by the tables
-        letters += text[last : m.start()]
-        places += origin[last : m.start()]
-        code = f"Q{_letters(len(meant))}q"
-        meant.append(str(table[m[0]]))
-        letters += f" {code} "
-        places += [origin[m.start()]] * (len(code) + 2)
-        last = m.end()
-    letters += text[last:]
-    places += origin[last:]
-    english, places = translated("".join(letters).lower(), places, language, request)
-    found: list[str] = []
-    own: list[int] = []
-    last = 0
-    for m in re.finditer(rf"{UNKNOWN}?q([a-j]+)q(?![a-z])", english):
-        number = int("".join(str("abcdefghij".index(c)) for c in m[1]))
-        if number >= len(meant):
-            continue
-        found += english[last : m.start()]
-        own += places[last : m.start()]
-        found += meant[number]
-        own += [places[m.start()]] * len(meant[number])
-        last = m.end()
-    return "".join(found) + english[last:], own + places[last:]
-
-
-def _letters(number: int) -> str:
-    return "".join("abcdefghij"[int(digit)] for digit in str(number))
+def _tables(language: str) -> Tables:
+    """The words of a language with those of homes, some of which mean something else in a single room."""
+    known = tables(language)
+    own = {
+        str(phrase): (str(english), kind)
+        for kind, rows in data("translations")[language].items()
+        for phrase, english in rows.items()
+    }
+    phrases = {**known.phrases, **own}
+    plain, nouns, adjectives = keys(phrases, language)
+    rooms = {name: kind for name, kind in known.rooms.items() if name not in own}
+    return replace(known, phrases=phrases, plain=plain, nouns=nouns, adjectives=adjectives, rooms=rooms)
 
 
 def _value(text: str) -> float:

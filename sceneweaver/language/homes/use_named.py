@@ -10,17 +10,46 @@ from sceneweaver.language.vocabulary import vocabulary
 from .lexicon import Use, data, room_kinds, uses
 from .tokens import Token
 
-_SETTING = ("in", "of", "at", "from", "near", "to", "into", "inside", "by", "on", "around", "outside", "behind", "under", "above", "below")
+_SETTING = (
+    "in",
+    "of",
+    "at",
+    "from",
+    "near",
+    "to",
+    "into",
+    "inside",
+    "by",
+    "on",
+    "around",
+    "outside",
+    "behind",
+    "under",
+    "above",
+    "below",
+)
 _DETERMINERS = ("a", "an", "the", "our", "my", "your", "his", "her", "their", "this", "that", "some")
-_ASKING = ("need", "needs", "want", "wants", "for", "of", "and", "or", "in", "new", "shared", "my", "buy", "rent", "buying", "design", "plan")
+_ASKING = (
+    "need",
+    "needs",
+    "want",
+    "wants",
+    "for",
+    "of",
+    "and",
+    "or",
+    "in",
+    "new",
+    "shared",
+    "my",
+    "buy",
+    "rent",
+    "buying",
+    "design",
+    "plan",
+)
 _WEAK = ("place", "unit", "residence", "home", "hall", "annexe")
 """Names of homes that are also other words."""
-
-_ONE_ROOM = ("studio", "loft", "one room", "tiny", "doll", "dolls", "doll's", "tree", "single room", "play", "wendy", "show", "bed sit",
-             "model", "bird", "dog", "cat", "coffee", "toy", "gingerbread", "chicken", "auction", "opera", "shower", "storage", "wall", "bunk")
-"""What stands before a home that is one room, or none to live in."""
-
-_FIRST = ("home", "house", "flat", "apartment")
 
 
 def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
@@ -39,11 +68,7 @@ def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
         found.append((not (named[1] or not token.has("room", "means")), at, named[0]))
     if not found:
         return None
-    whole = [one for one in found if not one[0]]
-    _, at, name = (whole or found)[0]
-    first = found[0]
-    if first[0] and whole and not uses()[whole[0][2]].plan == "flat" and first[1] < at and not tokens[at].get("use")[1]:
-        _, at, name = whole[0]
+    _, at, name = min(found, key=lambda one: one[:2])  # an "office" is a room of a flat
     return uses()[name], at
 
 
@@ -56,8 +81,17 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
             return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
         if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
             return not _is_wish_of(tokens, k)
-        in_phrase = token.text in _DETERMINERS or token.number is not None or token.has("own", "soft", "size", "person", "storey_words") or not token.kinds
-        in_phrase = in_phrase or token.text in ("bedroom", "bed", "room", "bath", "bathroom") and tokens[k - 1].number is not None
+        in_phrase = (
+            token.text in _DETERMINERS
+            or token.number is not None
+            or token.has("own", "soft", "size", "person", "storey_words")
+            or not token.kinds
+        )
+        in_phrase = (
+            in_phrase
+            or token.text in ("bedroom", "bed", "room", "bath", "bathroom")
+            and tokens[k - 1].number is not None
+        )
         if not in_phrase:
             return False
         k -= 1
@@ -67,7 +101,16 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
 def _is_wish_of(tokens: Sequence[Token], at: int) -> bool:
     """ "The plan of a house", "a kind of cottage": what stands before it is no room."""
     before = tokens[at - 1].text if at else ""
-    return tokens[at].text == "of" and before in ("plan", "kind", "sort", "type", "layout", "design", "model", "floor plan")
+    return tokens[at].text == "of" and before in (
+        "plan",
+        "kind",
+        "sort",
+        "type",
+        "layout",
+        "design",
+        "model",
+        "floor plan",
+    )
 
 
 def _is_noun(tokens: Sequence[Token], at: int) -> bool:
@@ -75,7 +118,12 @@ def _is_noun(tokens: Sequence[Token], at: int) -> bool:
     "lies flat"."""
     for k in range(at - 1, max(-1, at - 7), -1):
         token = tokens[k]
-        if token.breaks or token.text in _DETERMINERS or token.number is not None or token.has("room", "use", "storey_words"):
+        if (
+            token.breaks
+            or token.text in _DETERMINERS
+            or token.number is not None
+            or token.has("room", "use", "storey_words")
+        ):
             return True
         if token.has("function") and not token.has("own", "size", "soft", "person"):
             return tokens[at].text != "flat" or token.text in _ASKING
@@ -91,12 +139,27 @@ def _is_modifier(tokens: Sequence[Token], at: int) -> bool:
         return False
     if tokens[at].text == "flat" and not after.kinds:
         return True
+    if after.text in data("words")["buildings"] and not tokens[at].get("use")[1]:
+        return False
     k = at + 1
     while k < len(tokens) and k < at + 4 and not tokens[k].kinds:
         k += 1
     if k > at + 1 and k < len(tokens) and tokens[k].has("room") and not tokens[k].plural:
         return True  # "a farmhouse retreat bedroom"
-    if after.text in ("style", "styled", "themed", "like", "type", "feel", "atmosphere", "vibe", "room", "rooms", "corner", "nook"):
+    if after.text in (
+        "style",
+        "styled",
+        "themed",
+        "like",
+        "type",
+        "feel",
+        "atmosphere",
+        "vibe",
+        "room",
+        "rooms",
+        "corner",
+        "nook",
+    ):
         return True
     if after.has("room", "known_room") and not after.has("joint", "storey", "own", "function"):
         return after.text not in ("living",)
@@ -113,7 +176,11 @@ def _is_one_room(tokens: Sequence[Token], at: int) -> bool:
     after = [t.text for t in tokens[at + 1 : at + 4]]
     if after in (["of", "one", "room"], ["with", "one", "room"], ["in", "one", "room"]):
         return True
-    return before in _ONE_ROOM or two in _ONE_ROOM or (before == "room" and at > 1 and tokens[at - 2].text in ("one", "1", "single"))
+    return (
+        before in data("words")["of_one_room"]
+        or two in data("words")["of_one_room"]
+        or (before == "room" and at > 1 and tokens[at - 2].text in ("one", "1", "single"))
+    )
 
 
 def _is_asked(tokens: Sequence[Token], at: int) -> bool:
@@ -132,7 +199,11 @@ def _after_rooms(tokens: Sequence[Token], at: int) -> bool:
     if tokens[at].plural:
         return True
     number = next((t.get("number") for t in reversed(tokens[max(0, at - 3) : at]) if t.get("number") is not None), None)
-    if number is not None and number > 1 and not any(t.text in ("storey", "floor") for t in tokens[max(0, at - 3) : at]):
+    if (
+        number is not None
+        and number > 1
+        and not any(t.text in ("storey", "floor") for t in tokens[max(0, at - 3) : at])
+    ):
         return True
     return any(t.has("room") and not t.has("use") for t in tokens[:at])
 

@@ -2,16 +2,36 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from sceneweaver.language.model import Span
 from sceneweaver.language.vocabulary import vocabulary
 
-from .lexicon import plain
+from .described import is_look
+from .mentions import is_thing
 from .parts import Named, Reading
 from .tokens import Token
 
-_BEGIN = ("with", "for", "has", "have", "where", "and", "that", "which", "big", "of", "seats", "seating", "including", "plus", "without", "to", "it", "in", "no")
+_BEGIN = (
+    "with",
+    "for",
+    "has",
+    "have",
+    "where",
+    "and",
+    "that",
+    "which",
+    "big",
+    "of",
+    "seats",
+    "seating",
+    "including",
+    "plus",
+    "without",
+    "to",
+    "it",
+    "in",
+    "no",
+)
+_COPULAS = ("is", "are", "should", "must", "be", "painted", "all", "please", "to", "has")
 _STYLE = ("styles", "moods")
 _KEEP_SMALL = ("at", "next", "under", "by", "beside", "behind", "above", "in", "to", "on")
 
@@ -52,9 +72,15 @@ def _unwanted(reading: Reading, sentence: range) -> None:
                 reading.unwanted.append((words, Span(tokens[k].span.start, tokens[end - 1].span.end)))
                 for j in (at, *range(k, end)):
                     reading.did(j, "not wanted")
-            elif token.text == "," and k + 1 < sentence.stop and not tokens[k + 1].has("no") and not tokens[k + 1].text == "or":
-                break
-            elif token.text not in ("a", "an", "the", "any", "or", "and", ",") and not token.done and not token.has("no", "size", "own"):
+            elif (
+                token.text == ","
+                and k + 1 < sentence.stop
+                and not tokens[k + 1].has("no")
+                and tokens[k + 1].text != "or"
+                or token.text not in ("a", "an", "the", "any", "or", "and", ",")
+                and not token.done
+                and not token.has("no", "size", "own")
+            ):
                 break
 
 
@@ -75,7 +101,21 @@ def _before_rooms(reading: Reading, sentence: range) -> None:
         start = k
         while start > sentence.start and not tokens[start - 1].breaks and not tokens[start - 1].done and k - start < 9:
             start -= 1
-        while start < k and tokens[start].text in ("and", "put", "with", "we", "need", "want", "would", "like", "there", "is", "there's", "be", "should"):
+        while start < k and tokens[start].text in (
+            "and",
+            "put",
+            "with",
+            "we",
+            "need",
+            "want",
+            "would",
+            "like",
+            "there",
+            "is",
+            "there's",
+            "be",
+            "should",
+        ):
             start += 1
         if any(is_thing(tokens[j]) for j in range(start, k)):
             words = _words(tokens[start:k])
@@ -91,8 +131,15 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
         if one.at not in sentence:
             continue
         k = one.last + 1
-        while k < sentence.stop and tokens[k].text in (",",) and k + 1 < sentence.stop and tokens[k + 1].text in ("with", "for", "without"):
+        while (
+            k < sentence.stop
+            and tokens[k].text in (",",)
+            and k + 1 < sentence.stop
+            and tokens[k + 1].text in ("with", "for", "without")
+        ):
             k += 1
+        if _is_like(reading, one, sentence):
+            continue
         if k >= sentence.stop or tokens[k].breaks or tokens[k].text not in _BEGIN and not tokens[k].has("size"):
             continue
         end = k
@@ -102,18 +149,44 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
             end += 1
         follows = end < sentence.stop and any(n.first == end for n in reading.named)
         last = end
-        while last > k and (tokens[last - 1].text in ("and", "with", "a", "an", "the", "or", "plus", "in", "by", "of", "at", "to") or tokens[last - 1].has("joint") and follows):
+        while last > k and (
+            tokens[last - 1].text in ("and", "with", "a", "an", "the", "or", "plus", "in", "by", "of", "at", "to")
+            or tokens[last - 1].has("joint")
+            and follows
+        ):
             last -= 1
         told = tokens[k:last]
-        if not told or not any(is_thing(t) or t.has("person", "staff", "visitors", "number", "groups", "size", "animal") or not t.kinds for t in told):
+        if not told or not any(
+            is_thing(t) or t.has("person", "staff", "visitors", "number", "groups", "size", "animal") or not t.kinds
+            for t in told
+        ):
             continue
         sizes = [t for t in told if t.has("size")]
         if sizes and len([t for t in told if t.has("size") or is_thing(t) or not t.kinds]) == len(sizes):
             one.root.size = one.root.size or sizes[0].get("size")
         else:
-            one.root.wishes.append(_words(told)) if one.of is None or one.count is None else one.wishes.append(_words(told))
+            one.root.wishes.append(_words(told)) if one.of is None or one.count is None else one.wishes.append(
+                _words(told)
+            )
         for j in range(k, last):
             reading.did(j, f"request of {one.root.kind.name}")
+
+
+def _is_like(reading: Reading, one: Named, sentence: range) -> bool:
+    """ "The kitchen is red", "both bedrooms should be bright": what rooms are like."""
+    tokens = reading.tokens
+    k = one.last + 1
+    while k < sentence.stop and tokens[k].text in _COPULAS:
+        k += 1
+    end = k
+    while end < sentence.stop and (is_look(tokens[end]) or end > k and tokens[end].text in ("and", "or")):
+        end += 1
+    if k == one.last + 1 or end == k:
+        return False
+    one.root.looks += [token.text for token in tokens[k:end] if is_look(token)]
+    for j in range(k, end):
+        reading.did(j, f"request of {one.root.kind.name}")
+    return True
 
 
 def _loose(reading: Reading, sentence: range) -> None:
@@ -126,16 +199,42 @@ def _loose(reading: Reading, sentence: range) -> None:
             at += 1
             continue
         start = at
-        while start > sentence.start and not tokens[start - 1].breaks and not tokens[start - 1].done and (
-            not tokens[start - 1].kinds or tokens[start - 1].has("own", "size", "number") or tokens[start - 1].text in ("a", "an")
+        while (
+            start > sentence.start
+            and not tokens[start - 1].breaks
+            and not tokens[start - 1].done
+            and (
+                not tokens[start - 1].kinds
+                or tokens[start - 1].has("own", "size", "number")
+                or tokens[start - 1].text in ("a", "an")
+            )
         ):
             start -= 1
         end = _thing_end(reading, at, sentence.stop)
-        while end < sentence.stop and not tokens[end].breaks and not tokens[end].done and end - at < 10 and (
-            tokens[end].text in ("for", "of", "with", "each", "the", "a", "an", "by", "under", "on", "in") or tokens[end].has("person", "number", "each", "groups") or is_thing(tokens[end])
+        while (
+            end < sentence.stop
+            and not tokens[end].breaks
+            and not tokens[end].done
+            and end - at < 10
+            and (
+                tokens[end].text in ("for", "of", "with", "each", "the", "a", "an", "by", "under", "on", "in")
+                or tokens[end].has("person", "number", "each", "groups")
+                or is_thing(tokens[end])
+            )
         ):
             end += 1
-        while end - 1 > at and tokens[end - 1].text in ("for", "of", "with", "the", "a", "an", "by", "under", "on", "in"):
+        while end - 1 > at and tokens[end - 1].text in (
+            "for",
+            "of",
+            "with",
+            "the",
+            "a",
+            "an",
+            "by",
+            "under",
+            "on",
+            "in",
+        ):
             end -= 1
         words = _words(tokens[start:end])
         reading.loose.append((words, Span(tokens[start].span.start, tokens[end - 1].span.end)))
@@ -164,19 +263,6 @@ def _is_style(token: Token) -> bool:
     return any(kind in kinds for kind in _STYLE) and not token.has("accessible")
 
 
-@cache
-def _noun(word: str) -> bool:
-    kinds = vocabulary().get(word, {})
-    return "noun" in kinds and "room" not in kinds
-
-
-def is_thing(token: Token) -> bool:
-    """Whether a token is a thing of a room by the vocabulary."""
-    if token.kinds and not set(token.kinds) <= {"plot", "means", "place"}:
-        return False
-    return _noun(plain(token.text))
-
-
 def _words(tokens: tuple[Token, ...] | list[Token]) -> str:
     """Words as they are said, without what ends or begins a clause for nothing."""
     said = [t.text for t in tokens]
@@ -185,11 +271,3 @@ def _words(tokens: tuple[Token, ...] | list[Token]) -> str:
     while said and said[-1] in ("and", "or", "too", "please", "also"):
         said.pop()
     return " ".join(said)
-
-
-def owner(named: Named) -> str:
-    """For whom rooms are by their kind."""
-    return named.kind.whose
-
-
-__all__ = ["is_thing", "owner", "read_wishes"]
