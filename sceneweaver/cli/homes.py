@@ -172,8 +172,9 @@ def run_check_home(
         with no_chatter():
             plan = check_plan(home, asked, profile)
             radius = RADIUS if robot_radius is None else robot_radius
-            options = {"physics": physics, "openable": openable}
-            report = until.needed("check", lambda: check_home(home, plan, robot_radius=radius, **options))
+            report = until.needed(
+                "check", lambda: check_home(home, plan, robot_radius=radius, physics=physics, openable=openable)
+            )
         if metrics is not None:
             write_atomic(metrics, report.to_json() + "\n")
     code = until.code(0 if report.valid else NOT_VALID)

@@ -85,7 +85,7 @@ class Requests:
             prompt = self._prompts[room % len(self._prompts)]
         else:
             kind = _drawn(rng, spec.requests.programmes or spec.requests.kinds or {})
-            prompt = _words(spec, kind, rng) if spec.requests.programmes is None else ""
+            prompt = _words(spec, kind, rng)
         index = room * spec.rooms.layouts
         return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter, scene)
 
