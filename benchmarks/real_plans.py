@@ -1,9 +1,9 @@
 """Real plans against a profile of rules: ``python -m benchmarks real_plans --plans DIR``.
 
-DIR has a folder a source, each with files that `sceneweaver.read_homes` reads. A file ``source.yaml`` in it may say what
-its plans do not tell, ``not_judged: {rule: why}``; rows about windows are left out as well for a source none of whose
-files has a window. A plan is whole where it has an entrance and one storey, or stairs between storeys; what is not (a
-picture of half a house) is counted alone.
+DIR has a folder a source, each with files that `sceneweaver.read_homes` reads. A file ``source.yaml`` in it may say
+what its plans do not tell, ``not_judged: {rule: why}``; rows about windows are left out as well for a source none of
+whose files has a window. A plan is whole where it has an entrance and one storey, or stairs between storeys; what is
+not (a picture of half a house) is counted alone.
 """
 
 from __future__ import annotations

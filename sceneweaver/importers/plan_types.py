@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from pathlib import Path
+from importlib import resources
 
-import yaml
+from sceneweaver.assets.category import read_yaml
 
 OUTDOOR = frozenset({"balcony", "terrace"})
 """Types of rooms that have no ceiling."""
@@ -17,7 +17,7 @@ OPENS_FROM = frozenset({"hallway", "corridor", "entrance_hall", "landing", "livi
 
 @lru_cache(maxsize=1)
 def _words() -> dict[str, str]:
-    table = yaml.safe_load((Path(__file__).parent / "plan_types.yaml").read_text(encoding="utf-8"))
+    table = read_yaml(resources.files("sceneweaver.importers").joinpath("plan_types.yaml"))
     return {word: kind for kind, words in table.items() for word in [kind, *words] if word}
 
 

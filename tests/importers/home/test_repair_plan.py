@@ -99,7 +99,7 @@ def test_a_plan_that_keeps_the_rules_stays() -> None:
 
 
 def test_a_wall_moves_no_more_than_needed() -> None:
-    """The wall between living room and kitchen is moved until the kitchen lacks 80 mm of the depth that it is to have."""
+    """The wall between living room and kitchen is moved until the kitchen lacks 80 mm of the least depth."""
     least = Profile.named("base").rule("kitchen-side").least
     assert least is not None
     home = flat()

@@ -39,6 +39,14 @@ class PlanRepair:
 
     ``before`` and ``after`` are the judge's reports, ``moved`` what was changed; what is left in ``after`` could not be
     mended by moving walls, doors and windows: it needs another plan.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> home = sw.Home.example("flat")
+        >>> dark = home.with_changes(windows=tuple(w for w in home.windows if w.room != "bedroom"))
+        >>> repair = sw.repair_plan(dark)
+        >>> repair.before.valid, repair.after.valid, [(move.what, move.how) for move in repair.moved]
+        (False, True, [('window', 'added to bedroom')])
     """
 
     home: Home
