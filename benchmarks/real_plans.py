@@ -1,8 +1,9 @@
 """Real plans against a profile of rules: ``python -m benchmarks real_plans --plans DIR``.
 
-DIR has a folder a source, each with files that `sceneweaver.read_homes` reads. Rows about windows are left out for a
-source none of whose files has a window. A plan is whole where it has an entrance and one storey, or stairs between
-storeys; what is not (a picture of half a house) is counted, and judged apart from the whole ones.
+DIR has a folder a source, each with files that `sceneweaver.read_homes` reads. A file ``source.yaml`` in it may say
+what its plans do not tell, ``not_judged: {rule: why}``; rows about windows are left out as well for a source none of
+whose files has a window. A plan is whole where it has an entrance and one storey, or stairs between storeys; what is
+not (a picture of half a house) is counted alone.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from pathlib import Path
 from benchmarks.console import say
 from sceneweaver.home import Home
 from sceneweaver.importers import read_homes, repair_plan
+from sceneweaver.io import load_yaml
 from sceneweaver.plans import PlanReport, Profile, check_plan
 from sceneweaver.scene import InputError
 
@@ -47,7 +49,7 @@ class Source:
     name: str
     plans: list[Judged] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
-    windows: bool = True
+    left_out: dict[str, str] = field(default_factory=dict)
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -78,13 +80,18 @@ def judge(folder: Path, profile: Profile, limit: int | None, repaired: bool) -> 
     """The plans of a source, each judged."""
     found = Source(folder.name)
     homes = [h for h in read_homes(folder, on_error=found.refused.append)][:limit]
-    found.windows = any(h.home.windows for h in homes)
-    if not found.windows:
-        profile = profile.without(*(row.id for row in profile.rows if row.measure in LIGHT))
+    if (folder / "source.yaml").is_file():
+        said = load_yaml(folder / "source.yaml")
+        found.left_out = {str(k): str(v) for k, v in (said.get("not_judged") or {}).items()}
+    if not any(h.home.windows for h in homes):
+        found.left_out |= {row.id: "its files have no windows" for row in profile.rows if row.measure in LIGHT}
+    profile = profile.without(*(row.id for row in profile.rows if row.id in found.left_out))
     for imported in homes:
         home = imported.home
         report = check_plan(home, profile=profile)
-        entry = Judged(folder.name, home.id, len(home.rooms), whole(home), _broken(report))
+        entry = Judged(
+            folder.name, home.id, len(home.rooms), "entrance" in found.left_out or whole(home), _broken(report)
+        )
         if repaired and not report.valid:
             mended = repair_plan(home, profile=profile)
             entry.after = _broken(mended.after)
@@ -115,9 +122,12 @@ def table(sources: Sequence[Source], profile: str, repaired: bool) -> list[str]:
         good = sum(not p.broken for p in kept)
         after = sum(not (p.broken if p.after is None else p.after) for p in kept)
         share = f"{100 * good / len(kept):.1f} %" if kept else "-"
-        name = source.name + ("" if source.windows else " (no windows in its files: rows about light left out)")
-        row = f"| {name} | {len(source.plans)} | {len(source.refused)} | {len(kept)} | {good} | {share} |"
+        row = f"| {source.name} | {len(source.plans)} | {len(source.refused)} | {len(kept)} | {good} | {share} |"
         lines.append(row + (f" {after} |" if repaired else ""))
+    for source in sources:
+        for why in sorted(set(source.left_out.values())):
+            names = ", ".join(k for k, v in source.left_out.items() if v == why)
+            lines.append(f"{source.name}: not judged, {why}: {names}")
     lines += ["", "| rule | plans | alone | " + ("after repair | " if repaired else "") + "an example |"]
     lines += ["| --- " * (5 if repaired else 4) + "|"]
     plans = [p for s in sources for p in s.plans if p.whole]

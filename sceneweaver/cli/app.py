@@ -387,9 +387,40 @@ def import_scenes(
         bool, typer.Option("--relations/--no-relations", help="Keep what holds between the objects as soft relations.")
     ] = True,
     limit: Annotated[int | None, typer.Option(min=1, help="Most scenes.", show_default=False)] = None,
+    home: Annotated[
+        bool, typer.Option("--home", help="Whole homes instead: rooms with the doors between them.")
+    ] = False,
+    mend: Annotated[
+        bool, typer.Option("--repair", help="With --home: move walls, doors and windows as little as makes it valid.")
+    ] = False,
+    profile: Annotated[
+        str, typer.Option(metavar="NAME", help="With --home: the rules that plans are to keep.")
+    ] = "base",
+    scale: Annotated[
+        float | None,
+        typer.Option(metavar="METRES", help="With --home: metres for a unit of a drawing.", show_default=False),
+    ] = None,
+    drawn: Annotated[
+        str,
+        typer.Option(metavar="auto|faces|middles", help="With --home: what outlines are: faces of walls or middles."),
+    ] = "auto",
     as_json: Json = False,
 ) -> int:
     """Bring scenes of other systems into scene files: poses kept, categories, sizes and supports found."""
+    if home:
+        from .importing_homes import run_import_homes
+
+        return run_import_homes(
+            source,
+            out,
+            format_name=format_name,
+            drawn=drawn,  # type: ignore[arg-type]
+            scale=scale,
+            folder=asset_folder,
+            profile=profile if mend else None,
+            limit=limit,
+            as_json=as_json,
+        )
     from .importing import run_import
 
     return run_import(

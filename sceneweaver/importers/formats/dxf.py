@@ -14,6 +14,8 @@ import numpy as np
 
 from sceneweaver.io import InputError, reason
 from sceneweaver.io.messages import path_name
+from sceneweaver.runtime.package import missing_extra
+from sceneweaver.scene import MissingDependencyError
 
 from ..drawings import Drawing, Drawn, role_of, rooms_of_drawing
 from ..line_plans import MOST_LINES, Label
@@ -43,7 +45,7 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
         from ezdxf import recover
         from ezdxf.lldxf.const import DXFError
     except ImportError:
-        raise InputError(f"{where}: DXF needs ezdxf; pip install 'sceneweaver[dxf]'") from None
+        raise MissingDependencyError(missing_extra("dxf", f"{where}: DXF needs ezdxf")) from None
     if path.stat().st_size > MOST_BYTES:
         raise InputError(f"{where}: larger than {MOST_BYTES >> 20} MB; export the plan's layers alone")
     try:

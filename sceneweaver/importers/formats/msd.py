@@ -45,6 +45,9 @@ ROOMS = {
 
 OPENINGS = {"DOOR": "door", "ENTRANCE_DOOR": "door", "WINDOW": "window"}
 REACH = 0.45
+TOILET = 2.2
+"""A BATHROOM with less floor [m2] is a toilet: the data set has one word for both."""
+
 MOST_ROWS = 200_000
 
 
@@ -118,6 +121,8 @@ def _flat(flat: str, held: _Unit, openings: list[tuple[float, SourceOpening]]) -
     for word, found, elevation, height in held.areas:
         ring, notes = of_shape(found)
         kind = ROOMS.get(word, word or "room")
+        if kind == "bathroom" and found.area < TOILET:
+            kind = "guest_toilet"
         name = f"{kind}_{counts.setdefault(kind, 0)}"
         counts[kind] += 1
         if ring is None:
@@ -188,7 +193,8 @@ FORMAT = SourceFormat(
         "pickled graphs and pictures are not read.",
         "Meaning: areas are clear floors between walls; ROOM is taken for a bedroom; ENTRANCE_DOOR leads out of the "
         "flat. Flats that are turned from the axes are turned back where they become homes.",
-        "Assumed: sills of windows (0.9 m) where the table has heights alone.",
+        "Assumed: a BATHROOM of less than 2.2 m2 is a toilet; sills of windows (0.9 m) where the table has heights "
+        "alone.",
         "Lost: separators (walls, railings), features (fixtures), areas that belong to no flat, such as stairwells.",
     ),
     licence="CC BY 4.0 (Swiss Dwellings)",

@@ -88,7 +88,7 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     doors = [(np.array([e[0], -e[1]]), np.array([e[2], -e[3]])) for kind, e in lines if kind == "door"]
     kinds = [_kind(w, f) for w, f in zip(words, fixtures, strict=True)]
     inside = [_sides(a, b, rings, kinds) for a, b in doors]
-    opened = {k for sides in inside for k in sides}
+    opened = {k for sides in inside if len(sides) == 2 for k in sides}
     kinds = ["shaft" if kind == "room" and k not in opened else kind for k, kind in enumerate(kinds)]
     unit, known = _unit(doors, inside, rings, kinds, options.scale)
     said = [known]
@@ -211,13 +211,16 @@ def _assumed(
 
 def _shared(rings: list[np.ndarray], k: int, j: int) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     """Lines that the outlines of two rooms share."""
-    import shapely
-
-    met = shapely.LinearRing(rings[k]).intersection(shapely.LinearRing(rings[j]))
-    lines = [line for line in shapely.get_parts(met) if line.geom_type == "LineString" and not line.is_empty]
-    merged = shapely.get_parts(shapely.line_merge(shapely.MultiLineString(lines))) if lines else []
-    ends = [(line.coords[0], line.coords[-1]) for line in merged]
-    return [((float(a[0]), float(a[1])), (float(b[0]), float(b[1]))) for a, b in ends]
+    found = []
+    for a, b in zip(rings[k], np.roll(rings[k], -1, axis=0), strict=True):
+        way = (b - a) / np.hypot(*(b - a))
+        for c, d in zip(rings[j], np.roll(rings[j], -1, axis=0), strict=True):
+            off = [abs(float(way[0] * (p - a)[1] - way[1] * (p - a)[0])) for p in (c, d)]
+            low, high = sorted((float((c - a) @ way), float((d - a) @ way)))
+            low, high = max(low, 0.0), min(high, float(np.hypot(*(b - a))))
+            if max(off) < 0.01 and high - low > 0.1:
+                found.append(tuple((float(x), float(y)) for x, y in (a + low * way, a + high * way)))
+    return found
 
 
 def _pieces(rings: list[np.ndarray], entries: list[int]) -> list[str]:

@@ -170,6 +170,7 @@ def _outlines(
             notes.append(f"{key}: nothing is left of it between its walls")
             continue
         outlines[key] = outline
+    outlines = floors.apart(outlines)
     return outlines, floors.thickness(list(outlines.values()), thick.inner)
 
 

@@ -24,7 +24,7 @@ TOUCH = 0.02
 THICK = 0.6
 """Widest gap [m] between two rooms that is one wall."""
 
-THIN = 0.05
+THIN = 0.03
 """Thinnest wall [m] that a home gets."""
 
 SLIVER = 0.2
@@ -32,6 +32,9 @@ SLIVER = 0.2
 
 NOTCH = 0.03
 """Steps of an outline shorter than this [m] are noise."""
+
+SHARED = 1e-4
+"""Floor [m2] that two rooms may have in common before one loses it: less is rounding."""
 
 STUB = 0.1
 """Thickness [m] of the wall from a room that stands free within another one to the wall next to it."""
@@ -87,9 +90,10 @@ def clean(rings: Sequence[np.ndarray]) -> list[Floor | None]:
     outlines = [None if s is None else np.asarray(tidy(shapely.get_coordinates(s.exterior)[:-1], 1e-4)) for s in shapes]
     for axis in (0, 1):
         _level(outlines, axis)
+    shapes = [None if ring is None else _largest(shapely.Polygon(ring)) for ring in outlines]
+    _part(shapes, notes)
     found: list[Floor | None] = []
-    for ring, said in zip(outlines, notes, strict=True):
-        shape = None if ring is None else _largest(shapely.Polygon(ring))
+    for shape, said in zip(shapes, notes, strict=True):
         found.append(
             None
             if shape is None
@@ -132,7 +136,7 @@ def _part(shapes: list[Any], notes: list[list[str]]) -> None:
             if shapes[small] is None or shapes[large] is None or not shapes[small].intersects(shapes[large]):
                 continue
             shared = shapes[small].intersection(shapes[large]).area
-            if shared > 1e-3:
+            if shared > SHARED:
                 shapes[large] = _largest(_cut(shapes[large], shapes[small]))
                 notes[large].append(f"{shared:.2f} m2 that another room has as well left out")
 
@@ -272,6 +276,20 @@ def inset(ring: np.ndarray, by: float) -> np.ndarray | None:
     """The outline with every wall moved inwards by ``by`` [m]; None where nothing is left."""
     shape = _largest(shapely.Polygon(ring).buffer(-by, join_style="mitre", mitre_limit=10))
     return None if shape is None else np.asarray(tidy(shapely.get_coordinates(shape.exterior)[:-1], 1e-6))
+
+
+def apart(outlines: dict[str, tuple[tuple[float, float], ...]]) -> dict[str, tuple[tuple[float, float], ...]]:
+    """Outlines on the grid of which none has a millimetre of another: the larger room loses what rounding gave it."""
+    shapes = {key: shapely.Polygon(outline) for key, outline in outlines.items()}
+    order = sorted(shapes, key=lambda key: shapes[key].area)
+    for k, small in enumerate(order):
+        for large in order[k + 1 :]:
+            if shapes[small].intersects(shapes[large]) and shapes[small].intersection(shapes[large]).area > 1e-7:
+                left = _largest(shapes[large].difference(shapes[small]))
+                ring = None if left is None else on_grid(shapely.get_coordinates(left.exterior)[:-1])
+                if ring is not None:
+                    shapes[large], outlines = shapely.Polygon(ring), {**outlines, large: ring}
+    return outlines
 
 
 def on_grid(ring: np.ndarray) -> tuple[tuple[float, float], ...] | None:

@@ -106,16 +106,17 @@ def place(opening: Opening, walls: Walls, *, only: bool = False) -> Placed | str
         return "no wall of a room is near it"
     room, wall, low, high = sides[0]
     other = sides[1] if len(sides) > 1 else None
-    wanted = high - low
+    wanted, least, most = high - low, 0.0, wall.length
     if other is not None:
         back = other[1].along
         if wall.along[0] * back[0] + wall.along[1] * back[1] > FACING:
             return "the walls on its two sides are not parallel"
         faced = _behind(wall, other[1])
-        shared = _fitted(low, high, max(0.0, faced[0]), min(wall.length, faced[1]))
-        if shared is None:
-            return "the walls on its two sides do not lie behind each other"
-        low, high = shared
+        least, most = max(0.0, faced[0]), min(wall.length, faced[1])
+    fitted = _fitted(low, high, least, most)
+    if fitted is None:
+        return "its wall is elsewhere" if other is None else "the walls on its two sides do not lie behind each other"
+    low, high = _whole(*fitted, least, most)
     free = _free(low, high, room, wall, other, walls)
     if free is None:
         return "another opening is there"
@@ -128,6 +129,13 @@ def place(opening: Opening, walls: Walls, *, only: bool = False) -> Placed | str
         first, last = other[1].coordinates(wall.point(low))[0], other[1].coordinates(wall.point(high))[0]
         walls.taken.setdefault((other[0], other[1].index), []).append((min(first, last), max(first, last)))
     return Placed(source, room, wall.index, low, round(high - low, 3), None if other is None else other[0])
+
+
+def _whole(low: float, high: float, least: float, most: float) -> tuple[float, float]:
+    """An interval in whole millimetres, as wide as before where there is room."""
+    width = _down(high - low)
+    start = min(max(round(low, 3), _up(least)), _down(most - width))
+    return start, start + width
 
 
 def _up(value: float) -> float:

@@ -61,7 +61,7 @@ def read_homes(
         ... )
         >>> home = sw.read_homes(file)[0].home
         >>> home.rooms[0].outline[2], [(door.room, door.to) for door in home.doors]
-        ((4.0, 0.0), [('bedroom', 'hall')])
+        ((4.0, 0.0), [('bedroom_0', 'hallway_0')])
     """
     if drawn not in DRAWN:
         raise InputError(f"drawn: {quote(drawn)} is unknown{suggest(drawn, DRAWN)}")

@@ -145,7 +145,8 @@ def test_rooms_without_a_wall_between_them_are_open_to_each_other(tmp_path: Path
     file.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" data-scale="0.01"><rect id="living" width="500" height="400"/>'
         '<rect id="kitchen" x="500" width="200" height="400"/>'
-        '<rect id="bedroom" y="410" width="500" height="300"/><rect id="bath" x="510" y="410" width="190" height="300"/>'
+        '<rect id="bedroom" y="410" width="500" height="300"/>'
+        '<rect id="bath" x="510" y="410" width="190" height="300"/>'
         "</svg>"
     )
     (imported,) = sw.read_homes(file)

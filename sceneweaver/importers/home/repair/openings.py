@@ -8,12 +8,12 @@ import shapely
 
 from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, place_in
 from sceneweaver.plans import Rule, room_type
-from sceneweaver.plans.room_types import selects
 
 from ...plan_types import OPENS_FROM
 from ..leaves import faults_of, hang
 from .reseat import changed, reseated
 from .spans import CORNER, openings_of, outer_spans, shared_spans
+from .wall_rows import wanted_width
 
 DOOR, ENTRANCE, WINDOW = 0.8, 0.9, 1.2
 """Widths [m] of what is added."""
@@ -30,16 +30,8 @@ GROWS = 0.1
 
 def wider_doors(home: Home, rules: Sequence[Rule]) -> Iterator[Home]:
     """Doors as wide as rules ask, about their middles where the wall allows it: all of them, then each alone."""
-    widths: dict[str, float] = {}
-    for rule in rules:
-        if rule.measure != "door_width" or rule.least is None:
-            continue
-        for door in home.doors:
-            word = "inner-door" if door.to is not None else "entrance-door"
-            rooms = [home.room(r).type for r in (door.room, door.to) if r is not None]
-            left_out = rule.except_of and any(selects(rule.except_of, room_type(kind)) for kind in rooms)
-            if word in rule.of and not left_out and door.width < rule.least:
-                widths[door.id] = max(widths.get(door.id, 0.0), rule.least)
+    asked = {door.id: wanted_width(home, door, rules) for door in home.doors}
+    widths = {door.id: asked[door.id] for door in home.doors if door.width < asked[door.id]}
     outlines = [room.outline for room in home.rooms]
     for chosen in (widths, *({name: width} for name, width in widths.items())) if widths else ():
         made = reseated(home, outlines, chosen)

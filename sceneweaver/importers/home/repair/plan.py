@@ -16,7 +16,7 @@ ROUNDS = 3
 """Times that walls, doors and windows are mended one after another."""
 
 LIGHT = ("dark", "glazing", "escape")
-WALLS = ("side", "passage", "aspect", "area", "largest_area", "wall_lack")
+WALLS = ("side", "passage", "aspect", "area", "largest_area", "wall_lack", "door_width")
 """Measures that windows, and that walls, can mend."""
 
 ADDED = 12
@@ -39,6 +39,14 @@ class PlanRepair:
 
     ``before`` and ``after`` are the judge's reports, ``moved`` what was changed; what is left in ``after`` could not be
     mended by moving walls, doors and windows: it needs another plan.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> home = sw.Home.example("flat")
+        >>> dark = home.with_changes(windows=tuple(w for w in home.windows if w.room != "bedroom"))
+        >>> repair = sw.repair_plan(dark)
+        >>> repair.before.valid, repair.after.valid, [(move.what, move.how) for move in repair.moved]
+        (False, True, [('window', 'added to bedroom')])
     """
 
     home: Home
@@ -127,15 +135,22 @@ def _changes(profile: Profile) -> tuple[Change, ...]:
         for room in rooms:
             yield from _some(more_light(home, [room], least))
 
+    def mended(home: Home | None) -> Iterator[Home]:
+        """A home with other walls, and with its doors made to fit them."""
+        if home is not None:
+            yield from _with_leaves(home)
+            for wider in wider_doors(home, hard):
+                yield from _with_leaves(wider)
+
     def walls(home: Home, report: PlanReport) -> Iterator[Home]:
         names = {v.rule for v in report.violations if measure.get(v.rule) in WALLS}
         if not names:
             return
         wanted = [row for row in hard if row.measure in WALLS]
-        yield from _with_leaves(moved_walls(home, wanted))
+        yield from mended(moved_walls(home, wanted))
         for name in sorted(names):  # one rule after another, where they contradict each other
             kept = [row for row in wanted if row.id not in names or row.id == name]
-            yield from _with_leaves(moved_walls(home, kept))
+            yield from mended(moved_walls(home, kept))
 
     def ways(home: Home, report: PlanReport) -> Iterator[Home]:
         if any(measure.get(v.rule) == "entrances" for v in report.violations):

@@ -13,6 +13,9 @@ from sceneweaver.home import Home, HomeRoom, millimetres
 LINK = 350
 """Faces of a wall nearer than this [mm] belong to one wall, which moves as a whole."""
 
+OUTER = 4.0
+"""How much more a metre of an outer wall weighs than one between rooms."""
+
 SHARED = 100
 """Least length [mm] along which two faces are of one wall."""
 
@@ -35,7 +38,7 @@ class Face:
 
 @dataclass
 class WallLines:
-    """Lines of walls with their places [mm]; ``line`` and ``offset`` say where a face is: at its line, and so far on."""
+    """Lines of walls with their places [mm]; a face is at the place of its ``line``, and ``offset`` [mm] on."""
 
     rooms: tuple[HomeRoom, ...]
     faces: list[Face]
@@ -59,9 +62,11 @@ class WallLines:
             return node
 
         joined = [{d.room, d.to} for d in home.doors if d.kind == "open"]
+        shared: set[tuple[int, int]] = set()
         for a, b, gap in made.facing():
             passage = {home.rooms[a.room].id, home.rooms[b.room].id} in joined
             if gap <= max(LINK, 2 * inner) and (gap >= inner or (gap == 0 and passage)):
+                shared |= {(a.room, a.wall), (b.room, b.wall)}
                 parent[root((a.room, a.wall))] = root((b.room, b.wall))
         numbers: dict[tuple[int, int], int] = {}
         places = {(f.room, f.wall): f.at for f in faces}
@@ -71,7 +76,8 @@ class WallLines:
             top = root(node)
             number = numbers.setdefault(top, len(numbers))
             made.line[node], made.offset[node] = number, f.at - places[top]
-            length[number] = length.get(number, 0.0) + (f.high - f.low) / 1000
+            heavy = 1.0 if node in shared else OUTER
+            length[number] = length.get(number, 0.0) + heavy * (f.high - f.low) / 1000
             if home.rooms[f.room].type == "stairs":
                 made.fixed.add(number)
         made.start = np.array([places[top] for top in numbers], dtype=float)

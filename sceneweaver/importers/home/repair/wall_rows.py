@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
-from sceneweaver.home import Home, millimetres
+from sceneweaver.home import Home, HomeDoor, millimetres, place_in
 from sceneweaver.plans import Rule, room_type
 from sceneweaver.plans.room_types import selects
 
@@ -60,6 +60,45 @@ def rule_rows(lines: WallLines, rules: Sequence[Rule], places: np.ndarray) -> It
         elif rule.measure == "largest_area" and rule.least is not None and chosen:
             best = max(chosen, key=lambda k: lines.area(k, places)[0])
             yield _area_row(lines, best, rule.least, places, rule.id)
+
+
+def door_rows(lines: WallLines, home: Home, rules: Sequence[Rule]) -> Iterator[Row]:
+    """Walls on both sides of a door long enough for it to be as wide as rules ask."""
+    index = {room.id: k for k, room in enumerate(home.rooms)}
+    faces = {(f.room, f.wall): f for f in lines.faces}
+    for door in home.doors:
+        least = wanted_width(home, door, rules)
+        if least <= door.width:
+            continue
+        sides = [(index[door.room], door.wall)]
+        if door.to is not None:
+            sides.append((index[door.to], place_in(home, door, door.to)[0]))
+        ends: list[Face] = []
+        for room, wall in sides:
+            count = len(home.rooms[room].outline)
+            ends += [faces[n] for n in ((room, (wall - 1) % count), (room, (wall + 1) % count)) if n in faces]
+        for low in ends:
+            for high in ends:
+                if low.at < high.at and low.way > 0 > high.way:
+                    factors, constant = lines.difference(low, high)
+                    yield Row(factors, least * 1000 + 2 - constant, "door")
+
+
+def wanted_width(home: Home, door: HomeDoor, rules: Sequence[Rule]) -> float:
+    """The least width [m] that rules ask of a door; 0: none."""
+    word = "inner-door" if door.to is not None else "entrance-door"
+    kinds = [room_type(home.room(r).type) for r in (door.room, door.to) if r is not None]
+    return max(
+        (
+            rule.least
+            for rule in rules
+            if rule.measure == "door_width"
+            and rule.least is not None
+            and word in rule.of
+            and not (rule.except_of and any(selects(rule.except_of, kind) for kind in kinds))
+        ),
+        default=0.0,
+    )
 
 
 def _means(rule: Rule, kind: str) -> bool:

@@ -12,7 +12,7 @@ from sceneweaver.plans import Rule
 from .least_squares import nearest
 from .reseat import reseated
 from .wall_lines import WallLines
-from .wall_rows import order_rows, rule_rows
+from .wall_rows import door_rows, order_rows, rule_rows
 
 ROUNDS = 6
 """Times that floors, which are products, are taken as linear anew."""
@@ -28,7 +28,7 @@ def moved_walls(home: Home, rules: Sequence[Rule]) -> Home | None:
     if not len(lines.start):
         return None
     places = lines.start
-    fixed = list(order_rows(lines, home))
+    fixed = [*order_rows(lines, home), *door_rows(lines, home, rules)]
     for _ in range(ROUNDS):
         before = places
         places, _ = nearest(lines.start, lines.weight, [*fixed, *rule_rows(lines, rules, places)])
