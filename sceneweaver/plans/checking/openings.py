@@ -8,22 +8,21 @@ from typing import TYPE_CHECKING
 
 from ..profile import DOORS, Rule
 from ..room_types import selects
-from .facts import (
-    FREE_BEFORE_ENTRANCE,
-    FREE_BEFORE_WINDOW,
-    DoorFacts,
-    OpeningFacts,
-    PlanFacts,
-    RoomFacts,
-    Wall,
-    metres,
-)
+from .facts import PlanFacts
+from .parts import DoorFacts, OpeningFacts, RoomFacts
 from .quarters import Quarter
 from .readings import Reading, fault, measure
 from .regions import Region
+from .walls import Wall, metres
 
 if TYPE_CHECKING:
     from shapely import Polygon
+
+FREE_BEFORE_WINDOW = 1000
+"""What a window has before the outer wall [mm] (profile row windows-outside)."""
+
+FREE_BEFORE_ENTRANCE = 600
+"""What the door of an entrance has before the outer wall [mm]."""
 
 LEAF = tuple[Quarter | None, Wall, int, int, bool]
 
