@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ..profile import DOORS, Rule
 from ..room_types import selects
 from .facts import PlanFacts
-from .parts import DoorFacts, OpeningFacts, RoomFacts
+from .parts import OBLIQUE, DoorFacts, OpeningFacts, RoomFacts
 from .quarters import Quarter
 from .readings import Reading, fault, measure
 from .regions import Region
@@ -100,7 +100,8 @@ def opening_fault(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
         placed = [(door, *door.place_in(room)) for door in plan.doors_of(room) if door.other is None or door.far]
         placed += [(window, window.wall, window.offset) for window in plan.windows_of(room)]
         for opening, wall, offset in placed:
-            if offset < 0 or offset + opening.width > wall.length + 1e-3:
+            slack = 0 if wall.straight else OBLIQUE
+            if offset < -slack or offset + opening.width > wall.length + slack:
                 yield fault((room.id,), f"{opening.id} of {room.id}: it reaches over the end of its wall")
             if opening.top > room.height and not room.outdoor:
                 line = f"{float(opening.top):.3f} m; the room has {float(room.height):.3f} m"

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 THICKEST = 800
 """Thickest wall [mm] that a door goes through, as of homes."""
 
+OBLIQUE = 1
+"""Corners of oblique walls are rounded to the grid: by how much [mm] what lies along them may be off."""
+
 FACING = 1e-9
 """Walls face each other where the cosine of their angle is this near to -1, as for homes: oblique ones are rounded."""
 
@@ -96,7 +99,8 @@ class RoomFacts:
                 return False
             if self.straight:
                 return any(x0 < b[2] and b[0] < x1 and y0 < b[3] and b[1] < y1 for b in self.region.boxes)
-        return self.polygon.intersection(strip.polygon()).area > 1.0
+        shape = strip.polygon()
+        return self.polygon.intersection(shape).area > OBLIQUE * shape.length
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,8 +194,8 @@ def facing(wall: Wall, offset: int, width: int, other: RoomFacts) -> tuple[int, 
             continue
         gap = (far.start[0] - ends[0][0]) * wall.outward[0] + (far.start[1] - ends[0][1]) * wall.outward[1]
         start = (ends[1][0] - far.start[0]) * bx + (ends[1][1] - far.start[1]) * by
-        # An oblique wall is as long as its root says: a rounding of a micrometre is none.
-        if -1e-3 <= gap <= THICKEST + 1e-3 and start >= -1e-3 and start + width <= far.length + 1e-3:
+        slack = 0 if wall.straight and far.straight else OBLIQUE
+        if -slack <= gap <= THICKEST + slack and start >= -slack and start + width <= far.length + slack:
             found.append((round(gap), number, round(start)))
     if not found:
         return None
