@@ -20,15 +20,18 @@ from .plan_measures import (
     takes_doors,
     window_need,
 )
+from .plan_openings import openings_fail
 from .plan_tables import (
     APART,
     CUT_X,
     ENTRANCE,
+    FRONTS,
     GLAZED,
     HARD_WEIGHT,
     LIT,
     MAX_CELLS,
     MAX_CODE,
+    MAX_DOORS,
     NEAR,
     RULE_COUNT,
     WINDOWS,
@@ -334,6 +337,13 @@ def solve_cuts(
     must = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     parent = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     violation = wp.zeros(shape=(RULE_COUNT,), dtype=wp.float32)
+    leaves = wp.zeros(shape=(MAX_DOORS,), dtype=wp.vec4i)
+    leaf_level = wp.zeros(shape=(MAX_DOORS,), dtype=wp.int32)
+    fronts = wp.zeros(shape=(FRONTS,), dtype=wp.vec4i)
+    front_level = wp.zeros(shape=(FRONTS,), dtype=wp.int32)
+    record = wp.zeros(shape=(9,), dtype=wp.int32)
+    doors = s.doors[candidate]
+    windows = s.windows[candidate]
     for k in range(n):
         code[k] = s.code[candidate, k]
         cut[k] = s.cut[candidate, k]
@@ -346,7 +356,14 @@ def solve_cuts(
     for step in range(steps + 1):
         count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
         soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
-        energy = HARD_WEIGHT * hard_of(violation) + soft
+        hard = hard_of(violation)
+        energy = HARD_WEIGHT * hard + soft
+        if energy < lowest and hard == 0.0:
+            failed, ends = openings_fail(
+                p, frame, count, cells, storey, area, must, parent,
+                leaves, leaf_level, fronts, front_level, record, doors, windows,
+            )  # fmt: skip
+            energy += HARD_WEIGHT * failed + p.weights[4] * ends
         if energy < lowest:
             lowest = energy
             for k in range(n):

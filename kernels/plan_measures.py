@@ -466,7 +466,7 @@ def measure_plan(
             o = parent[r]
             if o >= 0:
                 if not has(p, o, CIRCULATION):
-                    soft += p.weights[7]
+                    soft += p.weights[6]
 
     least = int(10000)
     need = p.entrance_door + 2 * p.jamb

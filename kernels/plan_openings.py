@@ -7,7 +7,7 @@ leaves and of what lies right before other doors. Windows take what their room's
 
 import warp as wp
 
-from .plan_measures import facade_overlap, has, owner_of, shared_wall, takes_doors, window_need
+from .plan_measures import FAR, facade_overlap, has, owner_of, shared_wall, takes_doors, window_need
 from .plan_tables import (
     CIRCULATION,
     ENTRANCE,
@@ -30,6 +30,7 @@ from .plan_tables import (
 wp.set_module_options({"enable_backward": False})
 
 APPROACH = wp.constant(250)  # [mm] before a door, which no other leaf stands in
+LOST = wp.constant(300)  # [mm] of a hall beyond its last door, and its width, that nobody minds
 NO_PLACE = wp.constant(1000)
 MODULE = wp.constant(50)  # [mm] widths of windows are multiples of it where there is room
 
@@ -430,7 +431,7 @@ def place_windows(
         if has(p, r, PUBLIC) and need > 0:
             wish = need + need * 6 / 10
         if need == 0 and has(p, r, WET):
-            wish = p.least_window
+            wish = wp.max(p.least_window, window_need(p, area[r]))
         if wish > 0:
             total = int(0)
             longest = int(0)
@@ -466,6 +467,43 @@ def place_windows(
     return n, lack
 
 
+@wp.func
+def dead_ends(
+    p: PlanProblem,
+    frame: wp.int32,
+    count: wp.int32,
+    cells: wp.array(dtype=wp.vec4i),
+    storey: wp.array(dtype=wp.int32),
+    doors: wp.array2d(dtype=wp.int32),
+    n: wp.int32,
+):
+    """How far [m] halls reach beyond the last of their doors, less their width."""
+    total = float(0.0)
+    for r in range(p.rooms):
+        if has(p, r, CIRCULATION):
+            hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
+            for i in range(count):
+                if storey[i] >= 0 and owner_of(p, frame, i) == r:
+                    c = cells[i]
+                    hull = wp.vec4i(
+                        wp.min(hull[0], c[0]), wp.min(hull[1], c[1]), wp.max(hull[2], c[2]), wp.max(hull[3], c[3])
+                    )
+            reach = int(0)
+            for axis in range(2):
+                first = int(hull[axis + 2])
+                last = int(hull[axis])
+                for k in range(n):
+                    if doors[k, 0] == r or doors[k, 1] == r:
+                        low = doors[k, 3 + axis]
+                        first = wp.min(first, low)
+                        if doors[k, 2] % 2 != axis:
+                            low += doors[k, 5]
+                        last = wp.max(last, low)
+                reach = wp.max(reach, wp.max(first - hull[axis], hull[axis + 2] - last))
+            total += 0.001 * float(wp.max(reach - p.room_side[r] - LOST, 0))
+    return total
+
+
 @wp.func(inline=False)
 def openings_fail(
     p: PlanProblem,
@@ -484,10 +522,14 @@ def openings_fail(
     doors: wp.array2d(dtype=wp.int32),
     windows: wp.array2d(dtype=wp.int32),
 ):
-    """Place doors and windows; by how much they fail: doors, metres of windows, rooms to turn in."""
+    """Place doors and windows.
+
+    Gives by how much they fail (doors, metres of windows, rooms to turn in), and metres of halls beyond the last door.
+    """
     n, failed = place_doors(
         p, frame, count, cells, storey, must, parent, leaves, leaf_level, fronts, front_level, record, doors
     )
     _windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n, windows)
     narrow = rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n)
-    return float(failed) + 0.001 * float(lack) + float(narrow)
+    ends = dead_ends(p, frame, count, cells, storey, doors, n)
+    return float(failed) + 0.001 * float(lack) + float(narrow), ends

@@ -428,11 +428,11 @@ def search_plans(
             ceiling = energy - heat * wp.log(wp.max(uniform(rng), 1.0e-9))
             if value <= ceiling and hard == 0.0:
                 # only what would be taken is worth a search for the places of doors and windows
-                failed = openings_fail(
+                failed, ends = openings_fail(
                     p, new_frame, count, cells, storey, area, must, parent,
                     leaves, leaf_level, fronts, front_level, record, doors, windows,
                 )  # fmt: skip
-                value += HARD_WEIGHT * failed
+                value += HARD_WEIGHT * failed + p.weights[4] * ends
                 if failed == 0.0:
                     last = wp.min(last, number + more)
             if value <= ceiling:

@@ -154,10 +154,10 @@ else:
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
         large_room=wp.int32,  # [mm2]; 0: no such rule
         turning=wp.int32,  # [mm]
-        weights=wp.types.vector(length=8, dtype=wp.float32),  # of soft rows, `SOFT`
+        weights=wp.types.vector(length=7, dtype=wp.float32),  # of soft rows, `SOFT`
     )
 
-SOFT = ("area", "aspect", "corridors", "wet", "quiet", "sun", "straight", "bedroom_doors")
+SOFT = ("area", "aspect", "corridors", "wet", "dead_ends", "sun", "bedroom_doors")
 """Soft rows by weight."""
 
 STATE = (

@@ -6,7 +6,7 @@ What is called valid here breaks no rule: each violation is the excess of intege
 import warp as wp
 
 from .plan_measures import hard_of, measure_plan, owner_of
-from .plan_openings import place_doors, place_windows, rooms_without_turning
+from .plan_openings import dead_ends, place_doors, place_windows, rooms_without_turning
 from .plan_tables import (
     DOORS,
     FRONTS,
@@ -104,6 +104,7 @@ def judge_cells(
     n_windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n_doors, s.windows[candidate])
     violation[PANES] = 0.001 * float(lack)
     violation[TURN] = float(rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n_doors))
+    soft += p.weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
     hard = hard_of(violation)
     for k in range(RULE_COUNT):
         s.violation[candidate, k] = violation[k]

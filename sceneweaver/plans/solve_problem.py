@@ -357,9 +357,8 @@ def _weights(rows: Rows) -> Any:
         "aspect": 0.2 * rows.weight("aspect-good"),
         "corridors": 2.0 * rows.weight("corridors-short"),
         "wet": 0.15 * rows.weight("wet-together"),
-        "quiet": 0.0,
+        "dead_ends": 0.2 * rows.weight("no-dead-ends"),
         "sun": 0.2 * rows.weight("living-sun"),
-        "straight": 0.0,
         "bedroom_doors": 0.2 * rows.weight("bedrooms-apart"),
     }
     return [weight[name] for name in SOFT]
