@@ -8,18 +8,8 @@ diagonal of the Gauss-Newton matrix, and is projected onto what the least sides 
 
 import warp as wp
 
-from .plan_measures import (
-    FAR,
-    facade_overlap,
-    gaps,
-    hard_of,
-    has,
-    lacking,
-    measure_plan,
-    owner_of,
-    takes_doors,
-    window_need,
-)
+from .plan_geometry import FAR, facade_overlap, gaps, has, lacking, owner_of, takes_doors
+from .plan_measures import hard_of, measure_plan, window_need
 from .plan_openings import openings_fail
 from .plan_tables import (
     APART,
@@ -296,9 +286,7 @@ def pull_ways(
             d = gaps(cells[i], cells[j])
             if d[0] == p.inner or d[1] == p.inner:
                 axis = wp.where(d[0] == p.inner and d[1] <= d[0], 1, 0)
-                e = pull_overlap(
-                    p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature
-                )
+                e = pull_overlap(p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature)
                 cost += 2.0 * e * e
     return cost
 

@@ -118,7 +118,13 @@ PROBLEM = (
     Table("fixed", FIXED, wp.vec4i, "mm", "clear floor of a fixed cell"),
     Table("fixed_room", FIXED, wp.vec3i, "", "its room, storey, and whether doors may be in its walls"),
     Table("frame_family", FRAME, wp.vec2i, "", "frames with bays of the same storeys: from, to"),
-    Table("frame_share", FRAME, wp.float32, "1", "where each frame's part of the unit interval ends: how often it is drawn"),
+    Table(
+        "frame_share",
+        FRAME,
+        wp.float32,
+        "1",
+        "where each frame's part of the unit interval ends: how often it is drawn",
+    ),
     Table("facade", FACADE, wp.vec4i, "mm", "outer walls: side, place of the inner face, from, to along it"),
     Table("facade_flags", FACADE, wp.int32, "", "bits WINDOWS, ENTRANCE"),
 )

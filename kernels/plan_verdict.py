@@ -5,8 +5,10 @@ What is called valid here breaks no rule: each violation is the excess of intege
 
 import warp as wp
 
-from .plan_measures import hard_of, measure_plan, owner_of
-from .plan_openings import dead_ends, place_doors, place_windows, rooms_without_turning
+from .plan_doors import place_doors
+from .plan_geometry import owner_of
+from .plan_measures import hard_of, measure_plan
+from .plan_openings import dead_ends, rooms_without_turning
 from .plan_tables import (
     DOORS,
     FRONTS,
@@ -21,6 +23,7 @@ from .plan_tables import (
     PlanState,
 )
 from .plan_tree import lay_out, measure_trees
+from .plan_windows import place_windows
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 

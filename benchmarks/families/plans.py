@@ -144,7 +144,9 @@ def _total(rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "valid": good / candidates,
         "good": good,
         "rate": good / sum(row["good"] / row["rate"] if row["rate"] else 0.0 for row in rows) if good else 0.0,
-        "cpu_rate": good / sum(row["good"] / row["cpu_rate"] if row["cpu_rate"] else 0.0 for row in rows) if good else 0.0,
+        "cpu_rate": good / sum(row["good"] / row["cpu_rate"] if row["cpu_rate"] else 0.0 for row in rows)
+        if good
+        else 0.0,
         "topologies": sum(row["topologies"] for row in rows),
         "checked": checked,
         "agreed": agreed / checked if checked else None,

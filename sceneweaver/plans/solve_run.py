@@ -169,7 +169,9 @@ def judge_rectangles(plan: CompiledPlan, cells: np.ndarray, device: str = "cpu")
             given["cells"][:, room] = cells[:, room]
             given["storey"][:, room] = spec.storey or 0
             given["owner"][:, room] = room
-    for k, (rect, (room, storey, _doors)) in enumerate(zip(plan.arrays["fixed"], plan.arrays["fixed_room"], strict=True)):
+    for k, (rect, (room, storey, _doors)) in enumerate(
+        zip(plan.arrays["fixed"], plan.arrays["fixed_room"], strict=True)
+    ):
         if k < plan.arrays["fixed_start"][1]:
             at = plan.numbers["cells"] + k
             given["cells"][:, at], given["storey"][:, at], given["owner"][:, at] = rect, storey, room
