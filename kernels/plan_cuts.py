@@ -304,11 +304,13 @@ def solve_cuts(
     # Problem:
     p: PlanProblem,
     steps: wp.int32,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Move the cuts of each candidate that is not valid yet; the best of all steps by the plan's energy stays."""
-    candidate = wp.tid()
+    """Move the cuts of each active candidate that is not valid yet; what has the least energy stays."""
+    candidate = active[wp.tid()]
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
         return
