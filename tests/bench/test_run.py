@@ -173,12 +173,12 @@ def test_a_failure_is_a_row(tmp_path, optimizer, reason):
 
 def test_a_process_that_hangs_or_crashes_is_a_row(tmp_path):
     named = [f"{kind.lower()}=tests.bench.optimizers:{kind}" for kind in ("Hanging", "Crashing", "Momentum")]
-    short, long = (Settings(candidates=2, seconds=0.1, limit=limit) for limit in (8.0, 500.0))
+    short, long = (Settings(candidates=2, seconds=0.1, limit=limit) for limit in (3.0, 500.0))
     run(named[:1], [PAIR], tmp_path / "short", seeds=1, settings=short, isolate=True)
     run(named[1:], [PAIR], tmp_path / "long", seeds=1, settings=long, isolate=True)
     runs = {r.key[0]: r for name in ("short", "long") for r in read_runs(tmp_path / name)}
     assert runs["hanging"].last("outcome") == runs["crashing"].last("outcome") == "killed"
-    assert runs["hanging"].last("reason") == "killed after 8 s"
+    assert runs["hanging"].last("reason") == "killed after 3 s"
     assert runs["crashing"].last("reason") == "the process ended by itself, exit code 7"
     assert runs["momentum"].last("outcome") in ("ended", "budget")
 

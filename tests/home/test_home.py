@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from typing import Any
+from typing import Any, cast
 
 import pytest
 import shapely
@@ -155,3 +155,28 @@ def test_what_is_no_home_is_refused(text):
     with pytest.raises(sw.InputError) as error:
         Home.loads(text)
     assert "\n" not in str(error.value)
+
+
+def test_doors_find_the_wall_that_rooms_share():
+    """A hall along two rooms: each door lies in what both have of the wall."""
+    home = Home.of_rooms({"hall": (0, 0, 1.2, 7), "bath": (1.3, 0, 3, 2.4), "bedroom": (1.3, 2.5, 5, 7)})
+    home = home.with_door("hall", None, wall="south").with_door("bath", "hall", at=0).with_door("hall", "bedroom", at=1)
+    assert [(d.room, d.wall, d.offset, d.opens_into) for d in home.doors] == [
+        ("hall", 0, 0.15, "hall"),
+        ("bath", 3, 0.0, "hall"),
+        ("hall", 1, 6.1, "bedroom"),
+    ]
+    assert home.entrances == home.doors[:1]
+    home = home.with_window("bedroom", "north", width=2, at=1)
+    assert (home.windows[0].id, home.windows[0].wall, home.windows[0].offset) == ("window-0", 2, pytest.approx(1.7))
+    for wrong, said in [
+        (lambda: home.with_door("bath", "bedroom", width=2.0), "share 1.7 m of wall"),
+        (lambda: home.with_door("hall", None), "needs wall"),
+        (lambda: home.with_door("hall", "bath", at=2), "at is 2"),
+        (lambda: home.with_window("bath", "north", width=3), "1.7 m of wall"),
+        (lambda: home.with_door("hall", "kitchen"), "is no room of home"),
+        (lambda: Home.of_rooms({"hall": (1, 0, 0, 7)}), "least x"),
+        (lambda: Home.of_rooms({"hall": cast("Any", (1, 2))}), "four numbers"),
+    ]:
+        with pytest.raises(sw.InputError, match=said):
+            wrong()

@@ -83,11 +83,11 @@ def test_a_phrase_said_again_and_again_is_read() -> None:
 
 
 def test_texts_at_random_are_read() -> None:
-    assert read_all(islice(OddTexts(1), 500)).faults == []
+    assert read_all(islice(OddTexts(1), 250)).faults == []
 
 
 def test_made_requests_are_read() -> None:
-    assert read_all(made(3, 120)).faults == []
+    assert read_all(made(3, 60)).faults == []
 
 
 def drafted(text: str, library: Library) -> None:

@@ -31,7 +31,7 @@ def test_relations_reported_match_the_judge_on_loose_layouts():
     """The engine's list of relations that hold never claims one that the judge denies."""
     claimed = 0
     for scene in (*ONE_OF_EACH.values(), *PARAMS.values()):
-        start = np.random.default_rng(0).uniform((0.5, 0.5, 0, -3), (4.5, 3.5, 0, 3), (8, len(scene.objects), 4))
+        start = np.random.default_rng(0).uniform((0.5, 0.5, 0, -3), (4.5, 3.5, 0, 3), (4, len(scene.objects), 4))
         start[..., 2] = [o.pose.position[2] for o in scene.objects]
         solution = sw.refine(scene, init=start, optimizer="adam", steps=2, seed=1, device="cpu")
         for i in range(solution.candidates):

@@ -14,6 +14,7 @@ from sceneweaver.scene import Palette, Pose, Relation, Scene
 from sceneweaver.tools.add_crowd import AddCrowd
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.base import Context
+from tests.sizes import sizes
 
 from .surface_rooms import LIBRARY, after, answer, faults, room, standing
 
@@ -56,8 +57,9 @@ def furnished(*categories: str) -> Scene:
         ("childrens_room", ("desk", "nightstand", "low_bookcase", "dresser", "toy_chest")),
     ],
 )
-def test_nothing_of_another_room_and_few_of_a_kind(kind, furniture):
-    for seed in range(3):
+@sizes("seeds", 1, 3)
+def test_nothing_of_another_room_and_few_of_a_kind(kind, furniture, seeds):
+    for seed in range(seeds):
         scene = dressed(furnished(*furniture), kind, seed=seed)
         small = Counter(o.category for o in scene.objects if o.mount == "surface")
         assert sum(small.values()) >= 2 * len(furniture)

@@ -15,7 +15,7 @@ ROOMS = {
 }
 
 
-@pytest.fixture(scope="module", params=[20, pytest.param(1, marks=pytest.mark.slow)], ids=["some", "all"])
+@pytest.fixture(scope="module", params=[30, pytest.param(1, marks=pytest.mark.slow)], ids=["some", "all"])
 def agreement(request: pytest.FixtureRequest) -> Agreement:
     return compare({name: count // request.param for name, count in ROOMS.items()}, moves=6)
 

@@ -9,7 +9,7 @@ from tests.verify.agreement import ZOO, Agreement, by_check, by_oracle, compare,
 ROOMS = {"restaurant-60": 60, "restaurant-dense": 60, "library-100": 50, "hall-300": 20}
 
 
-@pytest.fixture(scope="module", params=[6, pytest.param(1, marks=pytest.mark.slow)], ids=["some", "all"])
+@pytest.fixture(scope="module", params=[10, pytest.param(1, marks=pytest.mark.slow)], ids=["some", "all"])
 def agreement(request: pytest.FixtureRequest) -> Agreement:
     return compare({name: count // request.param for name, count in ROOMS.items()}, moves=25)
 
