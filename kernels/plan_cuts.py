@@ -8,27 +8,20 @@ diagonal of the Gauss-Newton matrix, and is projected onto what the least sides 
 
 import warp as wp
 
-from .plan_measures import (
-    FAR,
-    facade_overlap,
-    gaps,
-    hard_of,
-    has,
-    lacking,
-    measure_plan,
-    owner_of,
-    takes_doors,
-    window_need,
-)
+from .plan_geometry import FAR, facade_overlap, gaps, has, lacking, owner_of, takes_doors
+from .plan_measures import hard_of, measure_plan, window_need
+from .plan_openings import openings_fail
 from .plan_tables import (
     APART,
     CUT_X,
     ENTRANCE,
+    FRONTS,
     GLAZED,
     HARD_WEIGHT,
     LIT,
     MAX_CELLS,
     MAX_CODE,
+    MAX_DOORS,
     NEAR,
     RULE_COUNT,
     WINDOWS,
@@ -93,6 +86,14 @@ def pull(
 
 
 @wp.func
+def on_one_cut(cell_bounds: wp.array(dtype=wp.vec4i), cells: wp.int32, i: wp.int32, j: wp.int32, side: wp.int32):
+    """Whether the same sides of two cells are one cut's."""
+    if i >= cells or j >= cells:
+        return False
+    return cell_bounds[i][side] == cell_bounds[j][side]
+
+
+@wp.func
 def pull_overlap(
     p: PlanProblem,
     cell_bounds: wp.array(dtype=wp.vec4i),
@@ -113,11 +114,11 @@ def pull_overlap(
         e += MARGIN
         if a[axis + 2] <= b[axis + 2]:
             pull(cell_bounds, p.cells, i, axis + 2, e, -1.0, 4.0, gradient, curvature)
-        if b[axis + 2] <= a[axis + 2]:
+        if b[axis + 2] <= a[axis + 2] and not on_one_cut(cell_bounds, p.cells, i, j, axis + 2):
             pull(cell_bounds, p.cells, j, axis + 2, e, -1.0, 4.0, gradient, curvature)
         if a[axis] >= b[axis]:
             pull(cell_bounds, p.cells, i, axis, e, 1.0, 4.0, gradient, curvature)
-        if b[axis] >= a[axis]:
+        if b[axis] >= a[axis] and not on_one_cut(cell_bounds, p.cells, i, j, axis):
             pull(cell_bounds, p.cells, j, axis, e, 1.0, 4.0, gradient, curvature)
     return wp.max(e, 0.0)
 
@@ -293,9 +294,7 @@ def pull_ways(
             d = gaps(cells[i], cells[j])
             if d[0] == p.inner or d[1] == p.inner:
                 axis = wp.where(d[0] == p.inner and d[1] <= d[0], 1, 0)
-                e = pull_overlap(
-                    p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature
-                )
+                e = pull_overlap(p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature)
                 cost += 2.0 * e * e
     return cost
 
@@ -305,11 +304,13 @@ def solve_cuts(
     # Problem:
     p: PlanProblem,
     steps: wp.int32,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Move the cuts of each candidate that is not valid yet; the best of all steps by the plan's energy stays."""
-    candidate = wp.tid()
+    """Move the cuts of each active candidate that is not valid yet; what has the least energy stays."""
+    candidate = active[wp.tid()]
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
         return
@@ -334,6 +335,13 @@ def solve_cuts(
     must = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     parent = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     violation = wp.zeros(shape=(RULE_COUNT,), dtype=wp.float32)
+    leaves = wp.zeros(shape=(MAX_DOORS,), dtype=wp.vec4i)
+    leaf_level = wp.zeros(shape=(MAX_DOORS,), dtype=wp.int32)
+    fronts = wp.zeros(shape=(FRONTS,), dtype=wp.vec4i)
+    front_level = wp.zeros(shape=(FRONTS,), dtype=wp.int32)
+    record = wp.zeros(shape=(9,), dtype=wp.int32)
+    doors = s.doors[candidate]
+    windows = s.windows[candidate]
     for k in range(n):
         code[k] = s.code[candidate, k]
         cut[k] = s.cut[candidate, k]
@@ -346,7 +354,14 @@ def solve_cuts(
     for step in range(steps + 1):
         count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
         soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
-        energy = HARD_WEIGHT * hard_of(violation) + soft
+        hard = hard_of(violation)
+        energy = HARD_WEIGHT * hard + soft
+        if energy < lowest and hard == 0.0:
+            failed, ends = openings_fail(
+                p, frame, count, cells, storey, area, must, parent,
+                leaves, leaf_level, fronts, front_level, record, doors, windows,
+            )  # fmt: skip
+            energy += HARD_WEIGHT * failed + p.weights[4] * ends
         if energy < lowest:
             lowest = energy
             for k in range(n):

@@ -118,7 +118,13 @@ PROBLEM = (
     Table("fixed", FIXED, wp.vec4i, "mm", "clear floor of a fixed cell"),
     Table("fixed_room", FIXED, wp.vec3i, "", "its room, storey, and whether doors may be in its walls"),
     Table("frame_family", FRAME, wp.vec2i, "", "frames with bays of the same storeys: from, to"),
-    Table("frame_share", FRAME, wp.float32, "1", "where each frame's part of the unit interval ends: how often it is drawn"),
+    Table(
+        "frame_share",
+        FRAME,
+        wp.float32,
+        "1",
+        "where each frame's part of the unit interval ends: how often it is drawn",
+    ),
     Table("facade", FACADE, wp.vec4i, "mm", "outer walls: side, place of the inner face, from, to along it"),
     Table("facade_flags", FACADE, wp.int32, "", "bits WINDOWS, ENTRANCE"),
 )
@@ -154,10 +160,10 @@ else:
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
         large_room=wp.int32,  # [mm2]; 0: no such rule
         turning=wp.int32,  # [mm]
-        weights=wp.types.vector(length=8, dtype=wp.float32),  # of soft rows, `SOFT`
+        weights=wp.types.vector(length=7, dtype=wp.float32),  # of soft rows, `SOFT`
     )
 
-SOFT = ("area", "aspect", "corridors", "wet", "quiet", "sun", "straight", "bedroom_doors")
+SOFT = ("area", "aspect", "corridors", "wet", "dead_ends", "sun", "bedroom_doors")
 """Soft rows by weight."""
 
 STATE = (

@@ -5,8 +5,10 @@ What is called valid here breaks no rule: each violation is the excess of intege
 
 import warp as wp
 
-from .plan_measures import hard_of, measure_plan, owner_of
-from .plan_openings import place_doors, place_windows, rooms_without_turning
+from .plan_doors import place_doors
+from .plan_geometry import owner_of
+from .plan_measures import hard_of, measure_plan
+from .plan_openings import dead_ends, rooms_without_turning
 from .plan_tables import (
     DOORS,
     FRONTS,
@@ -21,6 +23,7 @@ from .plan_tables import (
     PlanState,
 )
 from .plan_tree import lay_out, measure_trees
+from .plan_windows import place_windows
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -29,11 +32,13 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 def place_cells(
     # Problem:
     p: PlanProblem,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Cells of each candidate that is not valid yet, from its code and cuts."""
-    candidate = wp.tid()
+    """Cells of each active candidate that is not valid yet, from its code and cuts."""
+    candidate = active[wp.tid()]
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
         return
@@ -70,11 +75,13 @@ def place_cells(
 def judge_cells(
     # Problem:
     p: PlanProblem,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Doors, windows, violations and status of each candidate that is not valid yet, from its cells."""
-    candidate = wp.tid()
+    """Doors, windows, violations and status of each active candidate that is not valid yet, from its cells."""
+    candidate = active[wp.tid()]
     if s.status[candidate] != 0:
         return
     frame = s.frame[candidate]
@@ -104,6 +111,7 @@ def judge_cells(
     n_windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n_doors, s.windows[candidate])
     violation[PANES] = 0.001 * float(lack)
     violation[TURN] = float(rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n_doors))
+    soft += p.weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
     hard = hard_of(violation)
     for k in range(RULE_COUNT):
         s.violation[candidate, k] = violation[k]

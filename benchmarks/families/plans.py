@@ -23,7 +23,7 @@ GOAL_CPU, GOAL_GPU = 100, 10_000
 """Valid plans a second of programmes of eight rooms on one storey: on two cores, on one H200."""
 EIGHT = ("flat-2-bedrooms", "flat-2-bedrooms-ensuite", "flat-3-bedrooms-open")
 """Those programmes."""
-PATIENCE = 60.0
+PATIENCE = 30.0
 """Seconds that the rival gets for a programme."""
 
 COLUMNS = (
@@ -144,7 +144,9 @@ def _total(rows: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "valid": good / candidates,
         "good": good,
         "rate": good / sum(row["good"] / row["rate"] if row["rate"] else 0.0 for row in rows) if good else 0.0,
-        "cpu_rate": good / sum(row["good"] / row["cpu_rate"] if row["cpu_rate"] else 0.0 for row in rows) if good else 0.0,
+        "cpu_rate": good / sum(row["good"] / row["cpu_rate"] if row["cpu_rate"] else 0.0 for row in rows)
+        if good
+        else 0.0,
         "topologies": sum(row["topologies"] for row in rows),
         "checked": checked,
         "agreed": agreed / checked if checked else None,

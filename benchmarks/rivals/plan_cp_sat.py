@@ -146,7 +146,9 @@ class _Model:
         plan, joined = self.plan, {self.plan.numbers["entrance"]}
         jambs = 2 * plan.numbers["jamb"]
         hard = [
-            row for row, weight in zip(plan.arrays["adjacency"], plan.arrays["adjacency_weight"], strict=True) if weight < 0
+            row
+            for row, weight in zip(plan.arrays["adjacency"], plan.arrays["adjacency_weight"], strict=True)
+            if weight < 0
         ]
         for a, b, kind, width in hard:
             if kind == int(tables.NEAR):

@@ -181,7 +181,11 @@ def _stairwell(envelope: Envelope, rows: Rows) -> Stairwell:
     rise = round(1000 * envelope.height) + SLAB
     riser, going, width = rows.bound("riser")[1], rows.bound("going")[0], rows.bound("stair_width")[0]
     return Stairwell.between(
-        rise, int(1000 * min(riser, 0.2)), mm(max(going, 0.2)), mm(max(width, 0.8)), mm(max(rows.bound("passage")[0], 0.8))
+        rise,
+        int(1000 * min(riser, 0.2)),
+        mm(max(going, 0.2)),
+        mm(max(width, 0.8)),
+        mm(max(rows.bound("passage")[0], 0.8)),
     )
 
 
@@ -228,7 +232,7 @@ def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
 
 
 def _accessible_toilet(programme: Programme, rows: Rows) -> RoomSpec | None:
-    """The toilet that is to be the accessible one, where the profile asks for one: the largest on the entrance's storey."""
+    """The toilet to be accessible, where the profile asks for one: the largest on the entrance's storey."""
     entrance = programme.room(programme.entrance)
     toilets = [r for r in programme.rooms if "toilet" in r.kind.roles and r.storey == entrance.storey]
     asked = any(row.measure == "accessible_toilets" for row in rows.hard)
@@ -357,10 +361,8 @@ def _weights(rows: Rows) -> Any:
         "aspect": 0.2 * rows.weight("aspect-good"),
         "corridors": 2.0 * rows.weight("corridors-short"),
         "wet": 0.15 * rows.weight("wet-together"),
-        "quiet": 0.0,
+        "dead_ends": 0.2 * rows.weight("no-dead-ends"),
         "sun": 0.2 * rows.weight("living-sun"),
-        "straight": 0.0,
         "bedroom_doors": 0.2 * rows.weight("bedrooms-apart"),
     }
     return [weight[name] for name in SOFT]
-
