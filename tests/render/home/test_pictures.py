@@ -88,8 +88,8 @@ def test_an_overview_holds_the_storey() -> None:
 def test_pictures_are_drawn() -> None:
     home = Home.example("flat")
     pictures = render_home(home, views=["walk_04", "overview_ground"], width=48, height=36, quality=FAST)
-    assert pictures["walk_04"].size == (48, 36) and pictures["overview_ground"].size == (64, 48)
     for picture in pictures.values():
+        assert picture.size == (48, 36)
         values = np.asarray(picture, dtype=float)
         assert 60 < values.mean() < 235 and values.std() > 8
 
