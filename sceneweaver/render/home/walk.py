@@ -25,7 +25,7 @@ from ..probe import object_mesh
 from ..tracing import Lights, Quality, Tracer, interior_lights
 from ..tracing.lights import portals_of
 from ..tracing.rays import Triangles
-from ..viewpoints import walk_camera
+from ..viewpoints import onward_camera, walk_camera
 from . import shell
 
 _LOOK = (480, 360)  # pixels of the look that says what of other rooms is seen
@@ -35,22 +35,34 @@ _CELL = 0.15  # side of the cells in which light is gathered [m]
 
 @dataclass(frozen=True)
 class Stop:
-    """A stop on a walk: the room that is looked at, the door by which it is entered (None: the first one, or by a
-    stair), and the room before it."""
+    """A stop on a walk.
+
+    Attributes:
+        room: Where it is.
+        door: By which that room is entered; None: it is the first one, or one comes by a stair.
+        before: The room from which one comes.
+        onward: A door through which one looks on, and the room behind it; None: the room itself is looked at.
+    """
 
     room: str
     door: str | None = None
     before: str | None = None
+    onward: tuple[str, str] | None = None
 
     def caption(self, titles: Mapping[str, str]) -> str:
         """What its picture shows, in words by the titles of rooms: "Kitchen, from the hall"."""
+        if self.onward is not None:
+            return f"{titles[self.room]}, to the {titles[self.onward[1]].lower()}"
         if self.before is not None:
             return f"{titles[self.room]}, from the {titles[self.before].lower()}"
         return f"{titles[self.room]}, from the entrance" if self.door is not None else titles[self.room]
 
 
 def walk_order(home: Home) -> list[Stop]:
-    """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one."""
+    """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one.
+
+    From a room through which the walk goes on one looks through the first of the doors that it takes.
+    """
     graph, found, seen = home.graph(), [], set()
     doors = {door.id for door in home.doors}
     entrances = [Stop(door.room, door.id) for door in home.entrances]
@@ -61,7 +73,11 @@ def walk_order(home: Home) -> list[Stop]:
             return
         seen.add(stop.room)
         found.append(stop)
+        looked = False
         for room, by in sorted(graph[stop.room], key=lambda way: way[1] not in doors):  # stairs last
+            if not looked and by in doors and room not in seen and not home.room(room).outdoor:
+                looked = True
+                found.append(replace(stop, onward=(by, room)))
             visit(Stop(room, by if by in doors else None, stop.room))
 
     for begin in begins:
@@ -91,8 +107,9 @@ class Walk:
     def camera(self, number: int) -> Camera:
         """From where a stop looks."""
         stop = self.stops[number]
-        room = self.home.room(stop.room)
-        return walk_camera(shell.scene_of(self.home, room), self._aspect, stop.door, self._passable(stop.room))
+        scene = shell.scene_of(self.home, self.home.room(stop.room))
+        found = onward_camera(scene, self._aspect, stop.onward[0]) if stop.onward is not None else None
+        return found or walk_camera(scene, self._aspect, stop.door, self._passable(stop.room))
 
     def picture(self, number: int, width: int, height: int, quality: Quality | None = None) -> Image.Image:
         """The view of a stop, in any size of the aspect."""
