@@ -12,6 +12,7 @@ from PIL import Image
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Mesh
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.home import Home, HomeDoor, HomeRoom
 from sceneweaver.scene import Scene
@@ -62,7 +63,7 @@ class Stop:
 def walk_order(home: Home) -> list[Stop]:
     """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one.
 
-    From a room through which the walk goes on one looks through the first of the doors that it takes.
+    From a room through which the walk goes on one looks through one of the doors that it takes: to the largest room.
     """
     graph, found, seen = home.graph(), [], set()
     doors = {door.id for door in home.doors}
@@ -74,11 +75,11 @@ def walk_order(home: Home) -> list[Stop]:
             return
         seen.add(stop.room)
         found.append(stop)
-        looked = False
-        for room, by in sorted(graph[stop.room], key=lambda way: way[1] not in doors):  # stairs last
-            if not looked and by in doors and room not in seen and not home.room(room).outdoor:
-                looked = True
-                found.append(replace(stop, onward=(by, room)))
+        ways = sorted(graph[stop.room], key=lambda way: way[1] not in doors)  # stairs last
+        ahead = [(by, room) for room, by in ways if by in doors and room not in seen and not home.room(room).outdoor]
+        if ahead:
+            found.append(replace(stop, onward=max(ahead, key=lambda way: signed_area(home.room(way[1]).outline))))
+        for room, by in ways:
             visit(Stop(room, by if by in doors else None, stop.room))
 
     for begin in begins:
