@@ -208,7 +208,8 @@ class Walk:
         points = np.concatenate([np.asarray(one.outline) for one in indoor])
         reach = 2 * self.home.walls.inner
         (x0, y0), (x1, y1) = points.min(axis=0) - reach, points.max(axis=0) + reach
-        box = ((float(x0), float(y0), -0.3), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
+        low = shell.lowest(self.home, room.storey) if any(one.type == "stairs" for one in near) else -0.3
+        box = ((float(x0), float(y0), low), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
         if not lit[0].room.windows:  # else an eye that is used to its lamps sees all beyond the doors too bright
             light = replace(light, lamp_flux=_INNER * light.lamp_flux)
         return replace(light, portals=tuple(p for scene in lit for p in portals_of(scene.room)), room=box, cell=_CELL)
