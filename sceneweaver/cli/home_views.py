@@ -46,38 +46,44 @@ def render_home_file(
     "overview"; for a folder "all", or one.
     """
     home = Home.load(source)
-    from sceneweaver.render.home import draw_plan, home_pictures, home_views
+    from sceneweaver.render.home import draw_plan, home_pictures, home_views, plan_picture
 
     known = home_views(home)
     short = {name.partition("_")[0]: name for name in reversed(known) if not name.startswith("walk")}
-    name = short.get(view, view)
-    if out.suffix.lower() == ".svg" and not name.startswith(f"{PLAN}_"):
-        raise InputError(f"--view: {view} is no drawing; write a plan as SVG, and pictures as PNG")
-    many = out.suffix.lower() not in (".svg", ".png")
-    wanted = list(known) if view == "all" and many else [name]
+    name, kind = short.get(view, view), out.suffix.lower()
+    if view == "all" and kind in (".svg", ".png"):
+        raise InputError(f"--out: {out} holds one picture; for all of them give a folder")
+    if kind == ".svg" and not (name in known and name.startswith(PLAN)):
+        raise InputError(f"--view: '{view}' is no drawing; write a plan as SVG, and pictures as PNG")
+    storey = name.removeprefix(f"{PLAN}_") if name in known and name.startswith(PLAN) else None
     written: list[Path] = []
+
+    def save(picture: Any, target: Path) -> None:
+        with whole(target) as path:
+            picture.save(path, "PNG", dpi=picture.info.get("dpi", (96, 96)))
+        written.append(target)
+
+    def draw() -> None:
+        for drawn, picture in home_pictures(home, None, None if view == "all" else [name], *size, device=where):
+            save(picture, out if kind == ".png" else out / f"{drawn}.png")
+
     with clock(time_limit, began) as until:
-        if out.suffix.lower() == ".svg":
-            storey = name.removeprefix(f"{PLAN}_")
+        if kind == ".svg":
             until.needed("render", lambda: write_atomic(out, draw_plan(home, storey)))
             written.append(out)
+        elif kind == ".png" and storey is not None:
+            until.needed("render", lambda: save(plan_picture(home, storey, width=size[0]), out))
         else:
             with no_chatter():  # Warp greets when it starts
                 from sceneweaver.layout.devices import pick_devices
 
                 where = pick_devices(device)[0]
-
-            def draw() -> None:
-                for drawn, picture in home_pictures(home, None, wanted, *size, device=where):
-                    target = out / f"{drawn}.png" if many else out
-                    with whole(target) as path:
-                        picture.save(path, "PNG", dpi=picture.info.get("dpi", (96, 96)))
-                    written.append(target)
-
-            if many:
+            if kind == ".png":
+                until.needed("render", draw)
+            else:
                 out.mkdir(parents=True, exist_ok=True)
-            if not until.extra("the other pictures", draw) and not written:
-                until.over("render")
+                if not until.extra("the other pictures", draw) and not written:
+                    until.over("render")
     code = until.code(0)
     if as_json:
         print_json({"files": [str(p) for p in written], "left_out": list(until.left_out), "exit_code": code})
