@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from sceneweaver.language.vocabulary import NUMBERS
 from sceneweaver.plans import Programme, RoomSpec, room_type
@@ -68,21 +68,44 @@ def balanced(programme: Programme, told: Collection[str]) -> Programme:
     """
     if programme.storeys == 1:
         return programme
-    placed = {room.id: room.storey for room in programme.with_storeys().rooms}
-    floors = [
-        sum(r.area[1] for r in programme.rooms if placed[r.id] == s and "outdoor" not in r.kind.roles)
-        for s in range(programme.storeys)
-    ]
+    placed = _spread(programme)
+    floors = _floors(programme, placed)
+    usual = {room.id: room.storey for room in programme.with_storeys().rooms}
+    moved = {name: storey for name, storey in placed.items() if storey != usual[name]}
     rooms: list[RoomSpec] = []
     for room in programme.rooms:
         factor = max(floors) / max(floors[placed[room.id] or 0], 1.0)
         if room.id in told or factor < 1.0 + EXACT or "outdoor" in room.kind.roles:
-            rooms.append(room)
+            rooms.append(room.model_copy(update={"storey": moved.get(room.id, room.storey)}))
             continue
         least, target, most = room.area
-        new = round(min(target * factor, max(2 * room.kind.area[2], target)), 1)
-        rooms.append(room.model_copy(update={"area": (least, new, round(max(most, new * SPREAD[1]), 1))}))
+        new = round(min(target * factor, max(room.kind.area[2], target)), 1)
+        area = (least, new, round(max(most, new * SPREAD[1]), 1))
+        rooms.append(room.model_copy(update={"area": area, "storey": moved.get(room.id, room.storey)}))
     return programme.model_copy(update={"rooms": tuple(rooms)})
+
+
+def _floors(programme: Programme, placed: Mapping[str, int]) -> list[float]:
+    """Floor of the rooms of each storey [m2]."""
+    indoors = [room for room in programme.rooms if "outdoor" not in room.kind.roles]
+    return [sum(r.area[1] for r in indoors if placed[r.id] == s) for s in range(programme.storeys)]
+
+
+def _spread(programme: Programme) -> dict[str, int]:
+    """The storey of each room: as usual, but with bedrooms of which no storey is told moved, with their bathrooms, to
+    where there is least, as long as that makes storeys more alike."""
+    placed = {room.id: room.storey or 0 for room in programme.with_storeys().rooms}
+    doors = [(x.a, x.b) for x in programme.adjacencies if x.kind in ("door", "open")]
+    movable = [r for r in programme.rooms if r.storey is None and "sleeping" in r.kind.roles]
+    for room in reversed(movable):
+        with_it = [room.id, *(b if a == room.id else a for a, b in doors if room.id in (a, b))]
+        suite = [r for r in programme.rooms if r.id in with_it]
+        floors = _floors(programme, placed)
+        high, low = floors.index(max(floors)), floors.index(min(floors))
+        fits = placed[room.id] == high and all(r.storey is None for r in suite)
+        if fits and floors[high] - floors[low] > 1.2 * sum(r.area[1] for r in suite):
+            placed |= dict.fromkeys((r.id for r in suite), low)
+    return placed
 
 
 def _people(room: Room) -> int | None:

@@ -60,13 +60,24 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
                 elif placed.get(b) is None and placed.get(a) is not None:
                     placed[b] = placed[a]
     living = ("living_room", "kitchen", "living_kitchen", "living_dining", "kitchen_diner", "dining_room")
-    lowest = 0
     if reading.share_ground:
-        for room in rooms:
-            if room.type in living and placed.get(room.id) is None:
-                placed[room.id] = lowest
+        placed |= {room.id: 0 for room in rooms if room.type in living and placed.get(room.id) is None}
+    _bathrooms(reading, rooms, count, placed)
     said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
     return said
+
+
+def _bathrooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> None:
+    """Bathrooms that all share lie where bedrooms are: the first upstairs, one on each storey as far as they go."""
+    if reading.use.plan != "house":
+        return
+    shared = [r for r in rooms if r.counts_as("bathroom") and not any(one.per is not None for one in r.named)]
+    shared = [r for r in shared if r.kind.name != "ensuite"]
+    taken = {placed[r.id] for r in shared if placed.get(r.id) is not None}
+    beds = {placed.get(r.id) for r in rooms if bedroomlike(r.kind)}
+    free = [s for s in (*range(1, count), 0) if s not in taken and (None in beds or s in beds)]
+    for room, storey in zip([r for r in shared if placed.get(r.id) is None], free, strict=False):
+        placed[room.id] = storey
 
 
 def pairs_of(joint: Joint) -> list[tuple[str, str]]:

@@ -77,6 +77,9 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
     k = at - 1
     while k >= 0 and not tokens[k].breaks and at - k < 6:
         token = tokens[k]
+        if k and tokens[k - 1].glued:
+            k -= 1  # "walk-in health centre"
+            continue
         if token.text == "for":
             return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
         if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
