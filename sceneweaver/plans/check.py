@@ -39,8 +39,8 @@ def check_plan(
     """Judge the plan of a home by the rows of a profile, and by what a programme asks for.
 
     Lengths and areas are compared as exact fractions of whole millimetres, leaves as exact quarters of a disc. Where a
-    room has oblique walls its floor's area is exact; squares and rectangles in it are those of cells of 20 mm that lie
-    wholly inside, and what it shares with others is compared by floats, 1 mm2 up.
+    room has oblique walls its floor's area is exact; squares and rectangles in it are those of cells of at most 50 mm
+    that lie wholly inside, and what it shares with others is compared by floats, from 100 mm2 on.
 
     Args:
         home: the plan; furniture does not matter.

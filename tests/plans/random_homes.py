@@ -56,11 +56,11 @@ def _outlines(rng: random.Random) -> list[list[list[float]]]:
     found: list[list[list[float]]] = []
     for room in rooms:
         whole = shapely.union_all([shapely.box(columns[i], rows[j], columns[i + 1], rows[j + 1]) for i, j in room])
-        clear = whole.buffer(-50, join_style="mitre")
+        clear = whole.buffer(-50, join_style="mitre").simplify(0)
         if not isinstance(clear, shapely.Polygon) or clear.interiors or clear.is_empty:
             continue
         dx, dy = (rng.choice((0,) * 12 + (50, -50, 150, -150)) for _ in range(2))
-        ring = shapely.geometry.polygon.orient(clear.simplify(0)).exterior.coords[:-1]
+        ring = shapely.geometry.polygon.orient(clear).exterior.coords[:-1]
         found.append([[round((x + dx) / STEP) * STEP / 1000, round((y + dy) / STEP) * STEP / 1000] for x, y in ring])
     return found
 

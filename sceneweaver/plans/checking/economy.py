@@ -70,10 +70,16 @@ def distance(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
 
 
 def gap(a: RoomFacts, b: RoomFacts) -> int:
-    """Least distance along the axes between two floors, with `STOREY_WAY` for each storey between [mm]."""
-    flat = min(
-        max(p[0] - q[2], q[0] - p[2], 0) + max(p[1] - q[3], q[1] - p[3], 0)
-        for p in a.region.boxes
-        for q in b.region.boxes
-    ) if a.region.boxes and b.region.boxes else 0  # fmt: skip
+    """Least distance along the axes between two floors, with `STOREY_WAY` for each storey between [mm].
+
+    Where a wall is oblique it is the straight distance.
+    """
+    if a.straight and b.straight:
+        flat = min(
+            max(p[0] - q[2], q[0] - p[2], 0) + max(p[1] - q[3], q[1] - p[3], 0)
+            for p in a.region.boxes
+            for q in b.region.boxes
+        )
+    else:
+        flat = round(a.polygon.distance(b.polygon))
     return flat + STOREY_WAY * abs(a.storey - b.storey)

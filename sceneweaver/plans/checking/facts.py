@@ -30,6 +30,9 @@ FREE_BEFORE_WINDOW = 1000
 FREE_BEFORE_ENTRANCE = 600
 """What the door of an entrance has before the outer wall [mm]."""
 
+FACING = 1e-9
+"""Walls face each other where the cosine of their angle is this near to -1, as for homes: oblique ones are rounded."""
+
 OPEN_WIDTH = 1200
 """An open passage of this width [mm] makes two rooms one for light (profile row daylight)."""
 
@@ -125,6 +128,11 @@ class RoomFacts:
     def region(self) -> Region:
         """Its floor."""
         return Region.of_outline(self.outline)
+
+    @cached_property
+    def rectangles(self) -> list[tuple[int, int]]:
+        """(width, depth) of the rectangles along the axes that fit and grow no further [mm]."""
+        return self.region.largest_rectangles()
 
     @cached_property
     def area(self) -> Fraction:
@@ -346,7 +354,7 @@ def facing(wall: Wall, offset: int, width: int, other: RoomFacts) -> tuple[int, 
     ends = wall.at(offset), wall.at(offset + width)
     for number, far in enumerate(other.walls):
         (ax, ay), (bx, by) = wall.along, far.along
-        if abs(ax * by - ay * bx) > 1e-9 or ax * bx + ay * by > 0:
+        if ax * bx + ay * by > -1 + FACING:
             continue
         gap = (far.start[0] - ends[0][0]) * wall.outward[0] + (far.start[1] - ends[0][1]) * wall.outward[1]
         start = (ends[1][0] - far.start[0]) * bx + (ends[1][1] - far.start[1]) * by

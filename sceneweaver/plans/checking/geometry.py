@@ -59,7 +59,7 @@ def thinnest(plan: PlanFacts, a: RoomFacts, b: RoomFacts) -> float | None:
     if not (a.straight and b.straight):
         gap = a.polygon.distance(b.polygon)
         joined = any(d.part.kind == "open" and set(d.rooms) == {a.id, b.id} for d in plan.doors)
-        return None if joined else round(gap, 1)
+        return None if joined else round(gap)  # corners of oblique walls are whole millimetres, distances are not
     passages = [d for d in plan.doors if d.part.kind == "open" and set(d.rooms) == {a.id, b.id}]
     if not passages:
         return min(max(_gap(p, q, 0), _gap(p, q, 1), 0) for p in a.region.boxes for q in b.region.boxes)

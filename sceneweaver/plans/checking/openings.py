@@ -36,10 +36,11 @@ def door_fault(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
         if door.other is None:
             if door.room.outdoor:
                 continue
-            met = _indoors_at(plan, door, 0, plan.outer + FREE_BEFORE_ENTRANCE)
-            if met is not None:
+            met = _indoors_at(plan, door, plan.outer + FREE_BEFORE_ENTRANCE)
+            if met:
                 reach = (plan.outer + FREE_BEFORE_ENTRANCE) / 1000
-                yield fault((door.room.id, met.id), f"{name}: it leads out, but {met.id} lies within {reach:.2f} m")
+                line = f"{name}: it leads out, but {' and '.join(met)} lies within {reach:.2f} m"
+                yield fault((door.room.id, *met), line)
         elif door.far is None:
             line = (
                 f"{name}: no wall of {door.other.id} lies behind it over its whole width of {door.width / 1000:.3f} m"
@@ -47,16 +48,17 @@ def door_fault(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
             yield fault(door.rooms, line)
         else:
             strip = door.wall.strip(door.offset, door.width, 0, door.far[2])
-            for room in plan.on_storey(door.room.storey) if door.far[2] else ():
-                if room.meets(strip):
-                    yield fault((*door.rooms, room.id), f"{name} to {door.other.id}: {room.id} lies in its way")
+            between = plan.on_storey(door.room.storey) if door.far[2] else []
+            met = sorted(room.id for room in between if room.meets(strip))
+            if met:
+                yield fault((*door.rooms, *met), f"{name} to {door.other.id}: {' and '.join(met)} lies in its way")
 
 
-def _indoors_at(plan: PlanFacts, opening: OpeningFacts, near: int, far: int) -> RoomFacts | None:
-    """The first room indoors that lies before an opening within that depth."""
-    strip = opening.wall.strip(opening.offset, opening.width, near, far)
+def _indoors_at(plan: PlanFacts, opening: OpeningFacts, depth: int) -> list[str]:
+    """Ids of the rooms indoors that lie before an opening within that depth."""
+    strip = opening.wall.strip(opening.offset, opening.width, 0, depth)
     rooms = plan.on_storey(opening.room.storey, outdoor=False)
-    return next((room for room in rooms if room.meets(strip)), None)
+    return sorted(room.id for room in rooms if room.meets(strip))
 
 
 @measure("window_fault")
@@ -64,10 +66,10 @@ def window_fault(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     """Windows with a room before them, and such as lie in a party wall of the envelope."""
     for window in plan.windows:
         name = f"window {window.id} of {window.room.id}"
-        met = None if window.room.outdoor else _indoors_at(plan, window, 0, plan.outer + FREE_BEFORE_WINDOW)
-        if met is not None:
+        met = [] if window.room.outdoor else _indoors_at(plan, window, plan.outer + FREE_BEFORE_WINDOW)
+        if met:
             reach = (plan.outer + FREE_BEFORE_WINDOW) / 1000
-            yield fault((window.room.id, met.id), f"{name}: {met.id} lies within {reach:.2f} m before it")
+            yield fault((window.room.id, *met), f"{name}: {' and '.join(met)} lies within {reach:.2f} m before it")
         elif plan.envelope is not None:
             wall = _envelope_wall(plan, window)
             if wall not in plan.envelope.open_walls:

@@ -8,6 +8,7 @@ is said of fits and of ways between them is exact.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
@@ -18,8 +19,8 @@ Point = tuple[int, int]
 Box = tuple[int, int, int, int]
 """x0, y0, x1, y1 [mm]."""
 
-STEP = 20
-"""Side [mm] of the cells by which an outline with oblique walls is filled from inside."""
+STEP = 50
+"""Largest side [mm] of the cells by which an outline with oblique walls is filled from inside."""
 
 
 def is_rectilinear(outline: Sequence[Point]) -> bool:
@@ -58,7 +59,10 @@ class Region:
 
     @classmethod
     def of_outline(cls, outline: Sequence[Point]) -> Region:
-        """What an outline encloses; with oblique walls the cells of `STEP` that lie wholly inside."""
+        """What an outline encloses; with oblique walls the cells that lie wholly inside.
+
+        Those cells are at most `STEP` wide and have the corners' coordinates as lines, so straight walls stay exact.
+        """
         if not is_rectilinear(outline):
             return cls._filled(outline)
         xs = np.array(sorted({x for x, _ in outline}), np.int64)
@@ -76,11 +80,11 @@ class Region:
         import shapely
 
         polygon = shapely.Polygon(outline)
-        x0, y0, x1, y1 = (int(v) for v in polygon.bounds)
-        xs, ys = np.arange(x0, x1 + 1, STEP, dtype=np.int64), np.arange(y0, y1 + 1, STEP, dtype=np.int64)
+        xs, ys = (_lines({point[axis] for point in outline}) for axis in (0, 1))
         left, low = np.meshgrid(xs[:-1], ys[:-1], indexing="ij")
+        right, high = np.meshgrid(xs[1:], ys[1:], indexing="ij")
         shapely.prepare(polygon)
-        cells = shapely.covers(polygon, shapely.box(left, low, left + STEP, low + STEP))
+        cells = shapely.covers(polygon, shapely.box(left, low, right, high))
         return cls(xs, ys, cells)
 
     @property
@@ -215,23 +219,44 @@ def largest(holds: Callable[[int], bool], most: int) -> int:
 
 
 def components(cells: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """Numbers, from 1, of the parts of a grid that are joined along its axes; 0 outside of them."""
+    """Numbers, from 1, of the parts of a grid that are joined along its axes; 0 outside of them.
+
+    Row by row: runs of cells are joined with the runs that they touch in the row before.
+    """
     labels = np.zeros(cells.shape, np.int64)
-    count = 0
-    for start in zip(*np.nonzero(cells), strict=True):
-        if labels[start]:
-            continue
-        count += 1
-        labels[start] = count
-        stack = [start]
-        while stack:
-            i, j = stack.pop()
-            for place in ((i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)):
-                inside = 0 <= place[0] < cells.shape[0] and 0 <= place[1] < cells.shape[1]
-                if inside and cells[place] and not labels[place]:
-                    labels[place] = count
-                    stack.append(place)
-    return labels
+    parent = [0]
+
+    def root(k: int) -> int:
+        while parent[k] != k:
+            parent[k] = parent[parent[k]]
+            k = parent[k]
+        return k
+
+    before: list[tuple[int, int, int]] = []
+    for i in range(len(cells)):
+        bounds = np.flatnonzero(np.diff(np.concatenate(([False], cells[i], [False])).astype(np.int8)))
+        runs: list[tuple[int, int, int]] = []
+        for low, high in bounds.reshape(-1, 2).tolist():
+            touched = {root(k) for a, b, k in before if a < high and low < b}
+            if touched:
+                label = min(touched)
+                for k in touched:
+                    parent[k] = label
+            else:
+                label = len(parent)
+                parent.append(label)
+            labels[i, low:high] = label
+            runs.append((low, high, label))
+        before = runs
+    roots = np.array([root(k) for k in range(len(parent))])
+    return np.unique(roots, return_inverse=True)[1][labels]
+
+
+def _lines(corners: set[int]) -> NDArray[np.int64]:
+    """Coordinates of corners with lines between them, at most `STEP` apart."""
+    places = sorted(corners)
+    parts = [np.linspace(a, b, -(-(b - a) // STEP) + 1).round() for a, b in itertools.pairwise(places)]
+    return np.unique(np.concatenate(parts)).astype(np.int64)
 
 
 def _slots(lines: NDArray[np.int64], side: int, more: Iterable[int]) -> NDArray[np.int64]:

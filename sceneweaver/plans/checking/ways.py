@@ -35,11 +35,14 @@ def unreached(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     for room in plan.rooms:
         if room.id in seen:
             continue
-        if room.id not in physical:
+        beside = [n for n in neighbours(plan)[room.id] if n.id in physical]
+        crossed = sorted({n.id for n in beside if n.id in seen})
+        if not beside:
             line = f"{room.id}: no doors lead from the entrance to it; add a door"
+        elif crossed:
+            line = f"{room.id}: the way to it crosses {', '.join(crossed)}, which is no way; give it a door to a hall"
         else:
-            behind = sorted({n.id for n in neighbours(plan)[room.id] if n.id in physical and n.kind.transit != "all"})
-            line = f"{room.id}: the way to it crosses {', '.join(behind)}, which is no way; give it a door to a hall"
+            line = f"{room.id}: it lies behind {', '.join(sorted({n.id for n in beside}))}, which is not reached itself"
         yield fault((room.id,), line)
 
 
