@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import time
 from collections import defaultdict
@@ -49,8 +50,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "Requests for whole homes",
         "What a careful reader takes from a request for a home, practice, office or school, and how much of it the "
         "reader has: numbers and areas of rooms, storeys, what lies next to what, envelope, words for single rooms. It "
-        "was tuned on one set; held_out was put away before the reader was begun. Then the plans of the twelve requests "
-        "of people, with their demands as measured in the plan.",
+        "was tuned on one set; held_out was put away before the reader was begun. Then plans of the twelve requests of "
+        "people, with their demands as measured in the plan.",
     )
     table = result.add("read", "What is read of requests", READ, keys=2)
     missed = result.add("missed", "What is not read as meant", MISSED)
@@ -107,7 +108,7 @@ def _missed(asked: list[Asked]) -> Iterator[dict[str, Any]]:
 
 def _planned(asked: Asked, settings: Settings) -> dict[str, Any]:
     """The best plan of a request, in the first of a few envelopes that has any."""
-    from sceneweaver.plans.solve import solve_plans
+    solve_plans = importlib.import_module("sceneweaver.plans.solve").solve_plans
 
     read = read_home(asked.text)
     row: dict[str, Any] = {"id": asked.id, "rooms": len(read.programme.rooms), "asked": 0, "met": 0, "partly": 0}

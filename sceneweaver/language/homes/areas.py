@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from sceneweaver.language.vocabulary import NUMBERS
 from sceneweaver.plans import Programme, RoomSpec, room_type
@@ -59,30 +59,62 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
     return _fitted(reading, rooms, free)
 
 
-def balanced(programme: Programme, told: Collection[str]) -> Programme:
+def balanced(programme: Programme, told: Collection[str], area: float | None = None) -> Programme:
     """A programme of several storeys whose rooms fill each of them: all storeys have the outline of the largest.
 
     Args:
         programme: as it was asked for.
         told: ids of rooms whose area was said, which keep it.
+        area: of all rooms [m2], where it was said.
     """
     if programme.storeys == 1:
         return programme
-    placed = {room.id: room.storey for room in programme.with_storeys().rooms}
-    floors = [
-        sum(r.area[1] for r in programme.rooms if placed[r.id] == s and "outdoor" not in r.kind.roles)
-        for s in range(programme.storeys)
-    ]
+    placed = _spread(programme)
+    floors = _floors(programme, placed)
+    goal = max(floors) if area is None else min(area, sum(floors)) / programme.storeys
+    usual = {room.id: room.storey for room in programme.with_storeys().rooms}
+    moved = {name: storey for name, storey in placed.items() if storey != usual[name]}
+    fixed = _floors(programme, placed, told)
     rooms: list[RoomSpec] = []
     for room in programme.rooms:
-        factor = max(floors) / max(floors[placed[room.id] or 0], 1.0)
-        if room.id in told or factor < 1.0 + EXACT or "outdoor" in room.kind.roles:
-            rooms.append(room)
-            continue
-        least, target, most = room.area
-        new = round(min(target * factor, max(2 * room.kind.area[2], target)), 1)
-        rooms.append(room.model_copy(update={"area": (least, new, round(max(most, new * SPREAD[1]), 1))}))
+        storey = placed[room.id]
+        free = max(floors[storey] - fixed[storey], 1.0)
+        factor = min(max((goal - fixed[storey]) / free, FITS[0]), FITS[1])
+        update: dict[str, object] = {"storey": moved.get(room.id, room.storey)}
+        if room.id not in told and abs(factor - 1) > EXACT and "outdoor" not in room.kind.roles:
+            update["area"] = _stretched(room, factor)
+        rooms.append(room.model_copy(update=update))
     return programme.model_copy(update={"rooms": tuple(rooms)})
+
+
+def _stretched(room: RoomSpec, factor: float) -> tuple[float, float, float]:
+    """The area of a room whose target is multiplied, up to the most of its type; its ends give way."""
+    least, target, most = room.area
+    new = round(min(target * factor, max(room.kind.area[2], target)), 1)
+    return min(least, round(new * SPREAD[0], 1)), new, round(max(most, new * SPREAD[1]), 1)
+
+
+def _floors(programme: Programme, placed: Mapping[str, int], only: Collection[str] | None = None) -> list[float]:
+    """Floor of the rooms indoors of each storey [m2], of some of them where ids are given."""
+    rooms = [r for r in programme.rooms if "outdoor" not in r.kind.roles and (only is None or r.id in only)]
+    return [sum(r.area[1] for r in rooms if placed[r.id] == s) for s in range(programme.storeys)]
+
+
+def _spread(programme: Programme) -> dict[str, int]:
+    """The storey of each room: as usual, but with bedrooms of which no storey is told moved, with their bathrooms, to
+    where there is least, as long as that makes storeys more alike."""
+    placed = {room.id: room.storey or 0 for room in programme.with_storeys().rooms}
+    doors = [(x.a, x.b) for x in programme.adjacencies if x.kind in ("door", "open")]
+    movable = [r for r in programme.rooms if r.storey is None and "sleeping" in r.kind.roles]
+    for room in reversed(movable):
+        with_it = [room.id, *(b if a == room.id else a for a, b in doors if room.id in (a, b))]
+        suite = [r for r in programme.rooms if r.id in with_it]
+        floors = _floors(programme, placed)
+        high, low = floors.index(max(floors)), floors.index(min(floors))
+        fits = placed[room.id] == high and all(r.storey is None for r in suite)
+        if fits and floors[high] - floors[low] > 1.2 * sum(r.area[1] for r in suite):
+            placed |= dict.fromkeys((r.id for r in suite), low)
+    return placed
 
 
 def _people(room: Room) -> int | None:
@@ -106,10 +138,11 @@ def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -
     least, target, most = area
     if size is not None and size > 1.0:
         least = round(usual * CLEARLY, 1)
+        most = max(most, round(least * SPREAD[1], 1))
     elif size is not None and size < 1.0:
         most = round(usual / CLEARLY, 1)
-    target = min(max(target, least), max(most, least))
-    return min(least, most), round(min(target, max(most, least)), 1), max(most, least)
+        least = min(least, round(most * SPREAD[0], 1))
+    return least, min(max(target, least), most), most
 
 
 def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:

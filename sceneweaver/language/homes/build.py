@@ -60,13 +60,24 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
                 elif placed.get(b) is None and placed.get(a) is not None:
                     placed[b] = placed[a]
     living = ("living_room", "kitchen", "living_kitchen", "living_dining", "kitchen_diner", "dining_room")
-    lowest = 0
     if reading.share_ground:
-        for room in rooms:
-            if room.type in living and placed.get(room.id) is None:
-                placed[room.id] = lowest
+        placed |= {room.id: 0 for room in rooms if room.type in living and placed.get(room.id) is None}
+    _bathrooms(reading, rooms, count, placed)
     said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
     return said
+
+
+def _bathrooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> None:
+    """Bathrooms that all share lie where bedrooms are: the first upstairs, one on each storey as far as they go."""
+    if reading.use.plan != "house":
+        return
+    shared = [r for r in rooms if r.counts_as("bathroom") and not any(one.per is not None for one in r.named)]
+    shared = [r for r in shared if r.kind.name != "ensuite"]
+    taken = {placed[r.id] for r in shared if placed.get(r.id) is not None}
+    beds = {placed.get(r.id) for r in rooms if bedroomlike(r.kind)}
+    free = [s for s in (*range(1, count), 0) if s not in taken and (None in beds or s in beds)]
+    for room, storey in zip([r for r in shared if placed.get(r.id) is None], free, strict=False):
+        placed[room.id] = storey
 
 
 def pairs_of(joint: Joint) -> list[tuple[str, str]]:
@@ -95,7 +106,7 @@ def joined(
     reading: Reading, rooms: list[Room], entrance: str, notes: list[str]
 ) -> tuple[list[Adjacency], list[JointAsked]]:
     """What was said of rooms to each other, as adjacencies of ids: what is open or a door has to be, near and apart are
-    wished."""
+    wished; by the entrance is what has a door to the room that one comes into."""
     found: dict[frozenset[str], Adjacency] = {}
     asked: list[JointAsked] = []
     for joint in sorted(reading.joints, key=lambda j: _ORDER[j.kind]):
@@ -113,7 +124,10 @@ def joined(
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
                 hard = joint.kind in ("door", "open") and joint.hard and _may_join(a, b, rooms)
-                found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
+                at_entrance = joint.b == "entrance" and joint.kind == "near"
+                kind = "door" if at_entrance else joint.kind
+                weight = 1.0 if hard else 2 * SOFT if at_entrance else SOFT
+                found[key] = Adjacency(a=a, b=b, kind=kind, hard=hard, weight=weight)
     return list(found.values()), asked
 
 

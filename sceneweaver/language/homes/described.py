@@ -27,7 +27,7 @@ _LOOK_KINDS = (
 def read_before(reading: Reading, found: Named) -> None:
     """What stands before the name of a room: how many, how large, what it is like."""
     tokens = reading.tokens
-    k, strange = found.first - 1, 0
+    k, strange, own = found.first - 1, 0, False
     while k >= 0:
         token = tokens[k]
         if (
@@ -58,6 +58,7 @@ def read_before(reading: Reading, found: Named) -> None:
             found.all = True
         elif token.has("own", "soft"):
             found.open = found.open or token.text == "open"
+            own = own or token.text == "own"
             if token.has("vague") and is_look(token):
                 found.looks.insert(0, token.text)
             elif token.has("vague"):
@@ -79,6 +80,8 @@ def read_before(reading: Reading, found: Named) -> None:
             break
         found.first = k
         k -= 1
+    if own and not found.told and not tokens[found.at].plural:
+        found.count, found.told = 1, "article"  # "its own bathroom" is one more
 
 
 def is_look(token: Token) -> bool:

@@ -218,16 +218,17 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
             follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
         )
         many = whole.count is None or whole.count > 1
-        own = (
-            tokens[at].has("joint")
-            or one.kind.name == "ensuite"
-            or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
+        private = tokens[at].has("joint") or any(
+            t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at]
         )
+        own = private or one.kind.name == "ensuite"
         each = (
             left.of is not None
             and left.count is None
             or any(t.text in PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
         )
+        if private and not one.told and not tokens[one.at].plural:
+            one.count, one.told = 1, "article"  # "its own bathroom" is one more
         if not own and not each and many and _is_of_use(reading, whole):
             continue  # "a flat of three bedrooms with a kitchen"
         if many and (own or each) and (one.told != "number" or one.count == 1):

@@ -15,6 +15,9 @@ from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
 from .tokens import Token
 
+_PLACES = ("places", "seats", "beds", "couches")
+"""What is counted in one room: "twelve recovery places"."""
+
 MANY = 5
 """People from which on a room of an office is one for a team."""
 
@@ -186,7 +189,7 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if (
         single in _LISTED
         and meant is None
-        and not (after is None or after.breaks or after.has("joint") or after.text in _BEHIND_LIST)
+        and not (after is None or after.breaks or after.has("joint") or after.text in (*_BEHIND_LIST, *_PLACES))
     ):
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
@@ -298,6 +301,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     read_behind(reading, found)
     first, last = tokens[found.first], tokens[found.last]
     found.span = _over(first, last)
+    _places_in(reading, found)
     if found.told == "" and not token.plural:
         found.count = 1
     if said in ("desk", "hot desk"):  # places to work in one room
@@ -306,6 +310,18 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found
+
+
+def _places_in(reading: Reading, found: Named) -> None:
+    """ "Twelve recovery places": one room for so many."""
+    k = found.last + 1
+    if k >= len(reading.tokens) or found.told != "number" or found.last != found.at:
+        return
+    if reading.tokens[k].text in _PLACES:
+        words = reading.tokens[found.first : found.at]
+        number = next((t.text for t in words if t.get("number") is not None), "")
+        found.wishes.append(f"for {number}")
+        found.count, found.told, found.last = 1, "article", k
 
 
 def _noun(kind: RoomKind, said: str) -> str:

@@ -54,10 +54,12 @@ def read_home(request: str) -> HomeRequest:
     notes += set_areas(reading, rooms)
     entrance = entrance_of(reading, rooms, placed)
     _open_kitchen(reading, rooms)
+    _own_baths(reading, rooms)
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
     own = _asked(reading, rooms, placed)
-    programme = balanced(programme, {room.id for room in own if room.area is not None})
+    told = {room.id for room in own if room.area is not None or room.size}
+    programme = balanced(programme, told, sum(reading.area) / 2 if reading.area else None)
     return HomeRequest(
         text=request,
         language=said.language,
@@ -136,6 +138,18 @@ def _open_kitchen(reading: Reading, rooms: list[Room]) -> None:
         if there is None:
             there = Named(living.kind, -1, -1, -1, one.span, 1, ids=[living.id])
         reading.joints.append(Joint(one, there, "open", one.span))
+
+
+def _own_baths(reading: Reading, rooms: list[Room]) -> None:
+    """En-suites that no bedroom is told of belong to those that are there."""
+    beds = [room for room in rooms if bedroomlike(room.kind)]
+    for one in reading.named:
+        if one.kind.name != "ensuite" or not one.ids or any(one in (joint.a, joint.b) for joint in reading.joints):
+            continue
+        ids = [room.id for room in beds[: len(one.ids)]]
+        if ids:
+            there = Named(beds[0].kind, -1, -1, -1, one.span, len(ids), ids=ids)
+            reading.joints.append(Joint(one, there, "door", one.span, each=True))
 
 
 def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]) -> list[RoomAsked]:

@@ -90,7 +90,7 @@ def test_areas_of_rooms():
         ("house, a canteen with a kitchen behind it", ("kitchen", "door", "canteen")),
         ("flat, bedroom far from the living room", ("bedroom", "apart", "living_room")),
         ("flat, the bathroom must not be next to the kitchen", ("bathroom", "apart", "kitchen")),
-        ("flat with a study by the entrance and two bedrooms", ("study", "near", "entrance_hall")),
+        ("flat with a study by the entrance and two bedrooms", ("study", "door", "entrance_hall")),
         ("clinic: a lab between the two exam rooms", ("laboratory", "near", "examination_room-2")),
         ("house, two bedrooms, each with its own bathroom", ("bathroom-2", "door", "bedroom-2")),
         ("kindergarten, two group rooms, nap room off each", ("nap_room-2", "door", "kindergarten-2")),
@@ -169,82 +169,20 @@ def test_nothing_is_lost(asked):
     assert ids == [room.id for room in read.rooms] and len(set(ids)) == len(ids)
     assert read == read_home(asked.text)
     for word in read.unread:
-        assert asked.text[word.span.start : word.span.end].lower() == word.words
+        assert word.span is not None and asked.text[word.span.start : word.span.end].lower() == word.words
 
 
-WORDS = [
-    "flat",
-    "house",
-    "clinic",
-    "office",
-    "two",
-    "3",
-    "bed",
-    "bedroom",
-    "bedrooms",
-    "kitchen",
-    "en-suite",
-    "each",
-    "of",
-    "them",
-    "with",
-    "without",
-    "no",
-    "open",
-    "to",
-    "off",
-    "between",
-    "next",
-    "to",
-    "far",
-    "from",
-    "the",
-    "a",
-    "big",
-    "tiny",
-    "20",
-    "m2",
-    "6",
-    "m",
-    "wide",
-    "for",
-    "couple",
-    "twins",
-    "grandmother",
-    "wheelchair",
-    "upstairs",
-    "on",
-    "ground",
-    "floor",
-    "and",
-    ",",
-    ".",
-    "(",
-    ")",
-    ":",
-    "/",
-    "share",
-    "both",
-    "everyone",
-    "needs",
-    "room",
-    "rooms",
-    "entrance",
-    "crib",
-    "in",
-    "windows",
-    "only",
-    "sides",
-    "storeys",
-    "their",
-    "own",
-]
+WORDS = """
+flat house clinic office two 3 bed bedroom bedrooms kitchen en-suite each of them with without no open to off between
+next to far from the a big tiny 20 m2 6 m wide for couple twins grandmother wheelchair upstairs on ground floor and ,
+. ( ) : / share both everyone needs room rooms entrance crib in windows only sides storeys their own one large cooking
+"""
 
 
 def test_soup_of_words_makes_a_programme_or_one_line():
     rng = random.Random(5)
     for _ in range(300):
-        text = " ".join(rng.choices(WORDS, k=rng.randint(1, 40)))
+        text = " ".join(rng.choices(WORDS.split(), k=rng.randint(1, 40)))
         try:
             read = read_home(text)
         except InputError as error:
