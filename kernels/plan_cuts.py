@@ -8,26 +8,20 @@ diagonal of the Gauss-Newton matrix, and is projected onto what the least sides 
 
 import warp as wp
 
-from .plan_measures import (
-    FAR,
-    facade_overlap,
-    gaps,
-    hard_of,
-    has,
-    lacking,
-    measure_plan,
-    owner_of,
-    takes_doors,
-    window_need,
-)
+from .plan_geometry import FAR, facade_overlap, gaps, has, lacking, owner_of, takes_doors
+from .plan_measures import hard_of, measure_plan, window_need
+from .plan_openings import openings_fail
 from .plan_tables import (
     APART,
     CUT_X,
     ENTRANCE,
+    FRONTS,
     GLAZED,
+    HARD_WEIGHT,
     LIT,
     MAX_CELLS,
     MAX_CODE,
+    MAX_DOORS,
     NEAR,
     RULE_COUNT,
     WINDOWS,
@@ -292,9 +286,7 @@ def pull_ways(
             d = gaps(cells[i], cells[j])
             if d[0] == p.inner or d[1] == p.inner:
                 axis = wp.where(d[0] == p.inner and d[1] <= d[0], 1, 0)
-                e = pull_overlap(
-                    p, cell_bounds, i, cells[i], j, cells[j], axis, p.extra_side, gradient, curvature
-                )
+                e = pull_overlap(p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature)
                 cost += 2.0 * e * e
     return cost
 
@@ -333,6 +325,13 @@ def solve_cuts(
     must = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     parent = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     violation = wp.zeros(shape=(RULE_COUNT,), dtype=wp.float32)
+    leaves = wp.zeros(shape=(MAX_DOORS,), dtype=wp.vec4i)
+    leaf_level = wp.zeros(shape=(MAX_DOORS,), dtype=wp.int32)
+    fronts = wp.zeros(shape=(FRONTS,), dtype=wp.vec4i)
+    front_level = wp.zeros(shape=(FRONTS,), dtype=wp.int32)
+    record = wp.zeros(shape=(9,), dtype=wp.int32)
+    doors = s.doors[candidate]
+    windows = s.windows[candidate]
     for k in range(n):
         code[k] = s.code[candidate, k]
         cut[k] = s.cut[candidate, k]
@@ -344,8 +343,15 @@ def solve_cuts(
     lowest = s.energy[candidate]
     for step in range(steps + 1):
         count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
-        soft = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
-        energy = 10.0 * hard_of(violation) + soft
+        soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
+        hard = hard_of(violation)
+        energy = HARD_WEIGHT * hard + soft
+        if energy < lowest and hard == 0.0:
+            failed, ends = openings_fail(
+                p, frame, count, cells, storey, area, must, parent,
+                leaves, leaf_level, fronts, front_level, record, doors, windows,
+            )  # fmt: skip
+            energy += HARD_WEIGHT * failed + p.weights[4] * ends
         if energy < lowest:
             lowest = energy
             for k in range(n):

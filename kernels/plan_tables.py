@@ -26,6 +26,8 @@ MAX_ROWS = 40  # adjacencies
 CUT_X = wp.constant(100)
 CUT_Y = wp.constant(101)
 
+HARD_WEIGHT = wp.constant(10.0)  # of a violation of 1, against soft rows
+
 # Bits of ``PlanProblem.room_flags``.
 THROUGH = wp.constant(1)  # anybody may walk through it
 SUITE = wp.constant(2)  # its own annexes may lie behind it
@@ -116,7 +118,13 @@ PROBLEM = (
     Table("fixed", FIXED, wp.vec4i, "mm", "clear floor of a fixed cell"),
     Table("fixed_room", FIXED, wp.vec3i, "", "its room, storey, and whether doors may be in its walls"),
     Table("frame_family", FRAME, wp.vec2i, "", "frames with bays of the same storeys: from, to"),
-    Table("frame_share", FRAME, wp.float32, "1", "where each frame's part of the unit interval ends: how often it is drawn"),
+    Table(
+        "frame_share",
+        FRAME,
+        wp.float32,
+        "1",
+        "where each frame's part of the unit interval ends: how often it is drawn",
+    ),
     Table("facade", FACADE, wp.vec4i, "mm", "outer walls: side, place of the inner face, from, to along it"),
     Table("facade_flags", FACADE, wp.int32, "", "bits WINDOWS, ENTRANCE"),
 )
@@ -136,7 +144,6 @@ else:
         PROBLEM,
         rooms=wp.int32,
         cells=wp.int32,  # that trees may hold
-        extra_side=wp.int32,  # [mm] least width of a way between two cells of a room
         frames=wp.int32,
         storeys=wp.int32,
         entrance=wp.int32,  # room
@@ -153,10 +160,10 @@ else:
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
         large_room=wp.int32,  # [mm2]; 0: no such rule
         turning=wp.int32,  # [mm]
-        weights=wp.types.vector(length=8, dtype=wp.float32),  # of soft rows, `SOFT`
+        weights=wp.types.vector(length=7, dtype=wp.float32),  # of soft rows, `SOFT`
     )
 
-SOFT = ("area", "aspect", "corridors", "wet", "quiet", "sun", "straight", "bedroom_doors")
+SOFT = ("area", "aspect", "corridors", "wet", "dead_ends", "sun", "bedroom_doors")
 """Soft rows by weight."""
 
 STATE = (
@@ -166,6 +173,7 @@ STATE = (
     Table("length", ("candidate",), wp.int32, "", "numbers of the code"),
     Table("weight", ("candidate", "cell"), wp.float32, "m2", "what floor is shared out by"),
     Table("cut", ("candidate", "code"), wp.int32, "mm", "where each cut's wall begins, on the axis that it parts"),
+    Table("blame", ("candidate",), wp.int32, "", "bits: rooms that violate something"),
     Table("energy", ("candidate",), wp.float32, "1", "of the plan as it stands: hard violations, then soft"),
     Table("cells", ("candidate", "cell"), wp.vec4i, "mm", "clear floor of each cell: x0, y0, x1, y1; empty: not there"),
     Table("storey", ("candidate", "cell"), wp.int32, "", "storey of each cell; -1: it is not there"),

@@ -14,7 +14,7 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.func
 def cut_between(low: wp.int32, high: wp.int32, least_low: wp.int32, least_high: wp.int32, at: wp.int32):
-    """A cut's place projected between ``low + least_low`` and ``high - least_high``; where that is empty, in between."""
+    """A place projected between ``low + least_low`` and ``high - least_high``; where that is empty, halfway."""
     first = low + least_low
     last = high - least_high
     if first > last:

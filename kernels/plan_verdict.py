@@ -5,22 +5,37 @@ What is called valid here breaks no rule: each violation is the excess of intege
 
 import warp as wp
 
-from .plan_measures import hard_of, measure_plan, owner_of
-from .plan_openings import place_doors, place_windows, rooms_without_turning
-from .plan_tables import DOORS, FRONTS, MAX_CELLS, MAX_CODE, MAX_DOORS, PANES, RULE_COUNT, TURN, PlanProblem, PlanState
+from .plan_doors import place_doors
+from .plan_geometry import owner_of
+from .plan_measures import hard_of, measure_plan
+from .plan_openings import dead_ends, rooms_without_turning
+from .plan_tables import (
+    DOORS,
+    FRONTS,
+    HARD_WEIGHT,
+    MAX_CELLS,
+    MAX_CODE,
+    MAX_DOORS,
+    PANES,
+    RULE_COUNT,
+    TURN,
+    PlanProblem,
+    PlanState,
+)
 from .plan_tree import lay_out, measure_trees
+from .plan_windows import place_windows
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
 @wp.kernel
-def finish_plans(
+def place_cells(
     # Problem:
     p: PlanProblem,
     # State in and out:
     s: PlanState,
 ):
-    """Cells, doors, windows, violations and status of each candidate that is not valid yet, from its code and cuts."""
+    """Cells of each candidate that is not valid yet, from its code and cuts."""
     candidate = wp.tid()
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
@@ -36,6 +51,39 @@ def finish_plans(
     weight = wp.zeros(shape=(MAX_CELLS,), dtype=wp.float32)
     cells = wp.zeros(shape=(MAX_CELLS,), dtype=wp.vec4i)
     storey = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
+    for k in range(n):
+        code[k] = s.code[candidate, k]
+        cut[k] = s.cut[candidate, k]
+    for k in range(p.cells):
+        weight[k] = s.weight[candidate, k]
+    measure_trees(p, code, n, weight, end, least, share)
+    count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
+    for k in range(MAX_CELLS):
+        s.owner[candidate, k] = -1
+        s.storey[candidate, k] = -1
+        s.cells[candidate, k] = wp.vec4i(0, 0, 0, 0)
+    for k in range(count):
+        if storey[k] >= 0:
+            s.cells[candidate, k] = cells[k]
+            s.storey[candidate, k] = storey[k]
+            s.owner[candidate, k] = owner_of(p, frame, k)
+
+
+@wp.kernel
+def judge_cells(
+    # Problem:
+    p: PlanProblem,
+    # State in and out:
+    s: PlanState,
+):
+    """Doors, windows, violations and status of each candidate that is not valid yet, from its cells."""
+    candidate = wp.tid()
+    if s.status[candidate] != 0:
+        return
+    frame = s.frame[candidate]
+    count = p.cells + p.fixed_start[frame + 1] - p.fixed_start[frame]
+    cells = wp.zeros(shape=(MAX_CELLS,), dtype=wp.vec4i)
+    storey = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     touch = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     wets = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     area = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
@@ -47,14 +95,10 @@ def finish_plans(
     fronts = wp.zeros(shape=(FRONTS,), dtype=wp.vec4i)
     front_level = wp.zeros(shape=(FRONTS,), dtype=wp.int32)
     record = wp.zeros(shape=(9,), dtype=wp.int32)
-    for k in range(n):
-        code[k] = s.code[candidate, k]
-        cut[k] = s.cut[candidate, k]
-    for k in range(p.cells):
-        weight[k] = s.weight[candidate, k]
-    measure_trees(p, code, n, weight, end, least, share)
-    count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
-    soft = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
+    for k in range(count):
+        cells[k] = s.cells[candidate, k]
+        storey[k] = s.storey[candidate, k]
+    soft, blame = measure_plan(p, frame, count, cells, storey, touch, wets, area, must, parent, violation)
     doors = s.doors[candidate]
     n_doors, failed = place_doors(
         p, frame, count, cells, storey, must, parent, leaves, leaf_level, fronts, front_level, record, doors
@@ -63,18 +107,12 @@ def finish_plans(
     n_windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n_doors, s.windows[candidate])
     violation[PANES] = 0.001 * float(lack)
     violation[TURN] = float(rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n_doors))
+    soft += p.weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
     hard = hard_of(violation)
-    for k in range(MAX_CELLS):
-        s.owner[candidate, k] = -1
-        s.storey[candidate, k] = -1
-    for k in range(count):
-        if storey[k] >= 0:
-            s.cells[candidate, k] = cells[k]
-            s.storey[candidate, k] = storey[k]
-            s.owner[candidate, k] = owner_of(p, frame, k)
     for k in range(RULE_COUNT):
         s.violation[candidate, k] = violation[k]
     s.count[candidate] = wp.vec2i(n_doors, n_windows)
-    s.energy[candidate] = 10.0 * hard + soft
+    s.blame[candidate] = blame
+    s.energy[candidate] = HARD_WEIGHT * hard + soft
     if hard == 0.0:
         s.status[candidate] = 1

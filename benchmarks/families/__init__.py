@@ -32,6 +32,7 @@ from . import (
     patterns,
     physics,
     pictures,
+    plans,
     prior,
     projection,
     quality,
@@ -86,6 +87,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "stability": stability.run,
         "openable": openable.run,
         "pictures": pictures.run,
+        "plans": plans.run,
     }
 )
 

@@ -1,5 +1,8 @@
 """Plans of homes, practices and offices: what they are to hold, the rules that they keep, and whether they do."""
 
+from importlib import import_module as _import_module
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+
 from .check import check_plan as check_plan
 from .envelope import Envelope as Envelope
 from .envelope import envelope_for as envelope_for
@@ -17,11 +20,26 @@ from .room_types import RoomType as RoomType
 from .room_types import room_type as room_type
 from .room_types import room_types as room_types
 
+if _TYPE_CHECKING:
+    from .solve import solve_plans as solve_plans
+    from .solve_solution import PlanSolution as PlanSolution
+
+_SOLVER = {"solve_plans": "solve", "PlanSolution": "solve_solution"}
+"""Names that bring Warp along, with their modules: imported when they are first used."""
+
+
+def __getattr__(name: str) -> object:
+    if name in _SOLVER:
+        return getattr(_import_module(f"{__name__}.{_SOLVER[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
 __all__ = [
     "MEASURES",
     "Adjacency",
     "Envelope",
     "PlanReport",
+    "PlanSolution",
     "PlanViolation",
     "Profile",
     "Programme",
@@ -34,4 +52,5 @@ __all__ = [
     "programme_names",
     "room_type",
     "room_types",
+    "solve_plans",
 ]

@@ -27,6 +27,7 @@ MEASURES = MappingProxyType({
     "aspect": "longer by shorter side of the rectangle around the room",
     "turning": "side of the largest square along the axes that fits beside swinging leaves and stairs [m]",
     "passage": "side of the largest square that slides within the room from each of its doors to each other [m]",
+    "dead_end": "how far it reaches beyond the last of its doors, less its clear width [m]",
     "ceiling": "height of the storey between floor and ceiling [m]",
     "glazing": "area of the windows by area of the floor, of all rooms that open passages join to it",
     "dark": "1 where neither the room nor one that an open passage of 1.2 m joins to it has a window, else 0",
@@ -115,12 +116,6 @@ class Rule(FrozenModel):
         """What a breach by ``excess`` costs in a soft row, 0 to ``weight``."""
         bound = self.least if self.least is not None else self.most
         return self.weight * min(1.0, excess / (self.per or abs(bound or 0.0) or 1.0))
-
-    def excess(self, value: float) -> float:
-        """How far ``value`` is out of the interval, in the measure's unit; 0 inside."""
-        low = 0.0 if self.least is None else self.least - value
-        high = 0.0 if self.most is None else value - self.most
-        return max(0.0, low, high)
 
 
 class Profile(FrozenModel):

@@ -15,7 +15,7 @@ from .envelope import Envelope
 from .profile import Profile
 from .programme import Programme
 from .solve_problem import compile_plan
-from .solve_run import MOVES, pick_device, run_rounds
+from .solve_run import LEAST_MOVES, MOVES, pick_device, run_rounds
 from .solve_solution import PlanSolution
 
 MAX_CANDIDATES = 1 << 20
@@ -30,8 +30,8 @@ def solve_plans(
     profile: Profile | str = "base",
     device: str = "auto",
     time_limit: float | None = None,
-    rounds: int = 12,
-    moves: int = MOVES,
+    rounds: int = 16,
+    moves: int | None = None,
 ) -> PlanSolution:
     """Plan a programme in an envelope, many times at once.
 
@@ -49,7 +49,7 @@ def solve_plans(
         device: "auto", "cpu", "cuda", "cuda:1".
         time_limit: seconds after which no further round begins; None: no limit.
         rounds: attempts of a candidate at most.
-        moves: of an attempt.
+        moves: of an attempt; None: `MOVES` times the sum of the squares of the storeys' numbers of rooms.
 
     Raises:
         InputError: an argument is wrong, the programme is too large, or stairs find no place.
@@ -72,10 +72,13 @@ def solve_plans(
     _require_whole("candidates", candidates, 1, MAX_CANDIDATES)
     _require_whole("seed", seed, 0, 2**63)
     _require_whole("rounds", rounds, 1, 1000)
-    _require_whole("moves", moves, 1, 1_000_000)
+    if moves is not None:
+        _require_whole("moves", moves, 1, 1_000_000)
     if time_limit is not None and (not is_number(time_limit) or not time_limit > 0):
         raise InputError(f"time_limit is {show(time_limit)}; give seconds above 0, or None")
     plan = compile_plan(programme, envelope, profile)
+    counts = np.bincount([room.storey or 0 for room in plan.programme.rooms])
+    moves = max(LEAST_MOVES, MOVES * int((counts**2).sum())) if moves is None else moves
     end = math.inf if time_limit is None else began + time_limit
     found, timed_out = run_rounds(plan, candidates, seed, rounds, moves, pick_device(device), end)
     cells = slice(0, plan.cells)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import product
 
-from shapely.geometry import LineString, Point, Polygon, box
+from shapely.geometry import LineString, MultiLineString, Point, Polygon, box
 from shapely.ops import split
 
 from .envelope import Envelope
@@ -93,12 +93,12 @@ def _cut_on(polygon: Polygon, a: tuple[int, int], b: tuple[int, int], wall: int)
     """Cut along the wall from a to b, extended over b."""
     far = 10**6
     dx, dy = (b[0] > a[0]) - (b[0] < a[0]), (b[1] > a[1]) - (b[1] < a[1])
-    line = LineString([b, (b[0] + dx * far, b[1] + dy * far)]).intersection(polygon)
-    if line.geom_type == "MultiLineString":
-        line = min(line.geoms, key=lambda part: part.distance(Point(b)))
-    if line.geom_type != "LineString" or line.length == 0:
+    crossed = LineString([b, (b[0] + dx * far, b[1] + dy * far)]).intersection(polygon)
+    parts = crossed.geoms if isinstance(crossed, MultiLineString) else [crossed]
+    line = min(parts, key=lambda part: part.distance(Point(b)))
+    if not isinstance(line, LineString) or line.length == 0:
         return []
-    pieces = list(split(polygon, line).geoms)
+    pieces = [piece for piece in split(polygon, line).geoms if isinstance(piece, Polygon)]
     if len(pieces) != 2:
         return []
     normal = (-dy, dx)
@@ -114,11 +114,14 @@ def _cut_on(polygon: Polygon, a: tuple[int, int], b: tuple[int, int], wall: int)
         (x0, y0), (x1, y1) = line.coords[0], line.coords[-1]
         shift = (sign * normal[0] * wall, sign * normal[1] * wall)
         strip = box(
-            min(x0, x1, x0 + shift[0]), min(y0, y1, y0 + shift[1]), max(x0, x1, x0 + shift[0]), max(y0, y1, y0 + shift[1])
+            min(x0, x1, x0 + shift[0]),
+            min(y0, y1, y0 + shift[1]),
+            max(x0, x1, x0 + shift[0]),
+            max(y0, y1, y0 + shift[1]),
         )
         smaller = piece.difference(strip)
         other = pieces[1 - k]
-        if smaller.geom_type != "Polygon" or smaller.area <= 0:
+        if not isinstance(smaller, Polygon) or smaller.area <= 0:
             continue
         for first in _partitions(_clean(smaller), wall):
             found.extend((*first, *second) for second in _partitions(_clean(other), wall))
@@ -132,7 +135,10 @@ def _long(line: LineString, dx: int, dy: int, far: int) -> LineString:
 
 
 def _clean(polygon: Polygon) -> Polygon:
-    return polygon.simplify(0)
+    """Without corners on straight walls."""
+    simple = polygon.simplify(0)
+    assert isinstance(simple, Polygon)
+    return simple
 
 
 def _rect(polygon: Polygon) -> tuple[Rect, ...]:

@@ -33,17 +33,20 @@ def outlines_of(plan: CompiledPlan, cells: np.ndarray, storey: np.ndarray, owner
         storey: [cells] int; -1: not there.
         owner: [cells] int, the room of each cell.
     """
-    inner, least, movable = plan.numbers["inner"], plan.numbers["extra_side"], plan.numbers["cells"]
+    inner, movable = plan.numbers["inner"], plan.numbers["cells"]
     outlines: list[list[Point]] = []
+    sides = plan.arrays["room_side"]
     for room in range(len(plan.programme.rooms)):
         mine = [k for k in range(len(cells)) if storey[k] >= 0 and owner[k] == room]
-        shapes = [box(*map(int, cells[k])) for k in mine]
+        shapes = [box(int(cells[k][0]), int(cells[k][1]), int(cells[k][2]), int(cells[k][3])) for k in mine]
         for k in mine:
             if len(plan.programme.rooms) <= k < movable:
                 way = _way(cells[k], cells[room], inner)
-                if way is not None and max(way[2] - way[0], way[3] - way[1]) >= least:
+                if way is not None and max(way[2] - way[0], way[3] - way[1]) >= sides[room]:
                     shapes.append(box(*way))
-        outlines.append(_corners(unary_union(shapes)))
+        whole = unary_union(shapes)
+        assert isinstance(whole, Polygon), f"the cells of {plan.programme.rooms[room].id} are apart"
+        outlines.append(_corners(whole))
     return outlines
 
 

@@ -41,6 +41,8 @@ WET_WALL = 300
 """Of wall [mm] that neighbours with water share at least."""
 BENDS = {"circulation": 2, "living": 1}
 """Cells beside its own that a room of a role may have."""
+ACCESSIBLE_TOILET = 5.0
+"""Floor of an accessible toilet [m2], as the checker has it."""
 KINDS = {"door": tables.DOOR, "open": tables.OPEN, "near": tables.NEAR, "apart": tables.APART}
 UNBOUNDED = 2_000_000_000
 SIDES = {(0, -1): 1, (1, 0): 2, (0, 1): 3, (-1, 0): 0}
@@ -144,13 +146,7 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
     cell_room = cell_room[: min(most, tables.MAX_CODE // 2)]
     arrays = _room_arrays(programme, rows) | _relation_arrays(programme, rows)
     arrays["cell_room"] = np.array(cell_room, dtype=np.int32)
-    arrays["cell_side"] = np.array(
-        [
-            arrays["room_side"][room] if cell < len(rooms) or _roomy(rooms[room]) else _passage(rows, rooms[room])
-            for cell, room in enumerate(cell_room)
-        ],
-        dtype=np.int32,
-    )
+    arrays["cell_side"] = arrays["room_side"][cell_room]
     arrays |= _frame_arrays(programme, frames) | _facade_arrays(envelope)
     circulation = rows.bound("circulation_share")[1], rows.bound("circulation_share", soft=True)[1]
     glazing = max((row.least or 0.0 for row in rows.hard if row.measure == "glazing"), default=0.0)
@@ -160,7 +156,6 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
     numbers = {
         "rooms": len(rooms),
         "cells": len(cell_room),
-        "extra_side": max(_passage(rows, room) for room in rooms),
         "frames": len(frames),
         "storeys": programme.storeys,
         "entrance": programme.index[programme.entrance],
@@ -186,7 +181,11 @@ def _stairwell(envelope: Envelope, rows: Rows) -> Stairwell:
     rise = round(1000 * envelope.height) + SLAB
     riser, going, width = rows.bound("riser")[1], rows.bound("going")[0], rows.bound("stair_width")[0]
     return Stairwell.between(
-        rise, int(1000 * min(riser, 0.2)), mm(max(going, 0.2)), mm(max(width, rows.bound("passage")[0], 0.8))
+        rise,
+        int(1000 * min(riser, 0.2)),
+        mm(max(going, 0.2)),
+        mm(max(width, 0.8)),
+        mm(max(rows.bound("passage")[0], 0.8)),
     )
 
 
@@ -202,9 +201,12 @@ def _passage(rows: Rows, room: RoomSpec) -> int:
 
 def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
     areas, sides, aspects, flags, storeys, ranks, doors = [], [], [], [], [], [], []
+    accessible = _accessible_toilet(programme, rows)
     for room in programme.rooms:
         roles = room.kind.roles
         least, most = rows.bound("area", room)
+        if room is accessible:
+            least = max(least, ACCESSIBLE_TOILET)
         wanted = (max(room.area[0], least), room.area[1], min(room.area[2], most))
         areas.append([int(np.ceil(1e6 * wanted[0])), int(1e6 * wanted[1]), int(1e6 * wanted[2])])
         side = max(room.side or 0.0, rows.bound("side", room)[0], rows.bound("turning", room)[0], 0.6)
@@ -227,6 +229,14 @@ def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
         "room_rank": np.array(ranks, dtype=np.int32),
         "room_door": np.array(doors, dtype=np.int32),
     }
+
+
+def _accessible_toilet(programme: Programme, rows: Rows) -> RoomSpec | None:
+    """The toilet to be accessible, where the profile asks for one: the largest on the entrance's storey."""
+    entrance = programme.room(programme.entrance)
+    toilets = [r for r in programme.rooms if "toilet" in r.kind.roles and r.storey == entrance.storey]
+    asked = any(row.measure == "accessible_toilets" for row in rows.hard)
+    return max(toilets, key=lambda r: r.area[2]) if asked and toilets else None
 
 
 def _flags(room: RoomSpec, programme: Programme, rows: Rows) -> int:
@@ -351,10 +361,8 @@ def _weights(rows: Rows) -> Any:
         "aspect": 0.2 * rows.weight("aspect-good"),
         "corridors": 2.0 * rows.weight("corridors-short"),
         "wet": 0.15 * rows.weight("wet-together"),
-        "quiet": 0.0,
+        "dead_ends": 0.2 * rows.weight("no-dead-ends"),
         "sun": 0.2 * rows.weight("living-sun"),
-        "straight": 0.0,
         "bedroom_doors": 0.2 * rows.weight("bedrooms-apart"),
     }
     return [weight[name] for name in SOFT]
-

@@ -14,15 +14,15 @@ from sceneweaver.kernels import load, plan_tables
 from sceneweaver.kernels.plan_cuts import solve_cuts
 from sceneweaver.kernels.plan_search import search_plans
 from sceneweaver.kernels.plan_tables import STATE, PlanState
-from sceneweaver.kernels.plan_verdict import finish_plans
+from sceneweaver.kernels.plan_verdict import judge_cells, place_cells
 from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.runtime.threads import cores, map_threads
 
 from .solve_problem import CompiledPlan
 
 MODULES = ("plan_search", "plan_cuts", "plan_verdict")
-MOVES, MORE = 1500, 300
-"""Moves of a round, and after a plan is valid."""
+MOVES, LEAST_MOVES, MORE = 25, 800, 300
+"""Moves of a round for the square of a storey's number of rooms, at least in all, and after a plan is valid."""
 HOT, COLD = 4.0, 0.25
 """Temperatures at the ends of a round; a hard violation of 1 m is 10."""
 STEPS = 12
@@ -64,7 +64,7 @@ def streams(seed: int, candidates: int) -> np.ndarray:
 
 
 def new_state(candidates: int, device: str) -> Any:
-    """A state of zeros."""
+    """A state of zeros, without any cell."""
     counts = {
         "candidate": candidates,
         "code": plan_tables.MAX_CODE,
@@ -77,6 +77,8 @@ def new_state(candidates: int, device: str) -> Any:
     for table in STATE:
         shape = tuple(counts.get(name) or int(name) for name in table.shape)
         setattr(state, table.name, wp.zeros(shape, dtype=table.dtype, device=device))
+    state.storey.fill_(-1)
+    state.owner.fill_(-1)
     return state
 
 
@@ -104,7 +106,8 @@ def run_rounds(
     def one_round(part: Any, size: int) -> None:
         wp.launch(search_plans, size, [problem, moves, MORE, HOT, COLD], [part], device=device, block_dim=BLOCK)
         wp.launch(solve_cuts, size, [problem, STEPS], [part], device=device, block_dim=BLOCK)
-        wp.launch(finish_plans, size, [problem], [part], device=device, block_dim=BLOCK)
+        wp.launch(place_cells, size, [problem], [part], device=device, block_dim=BLOCK)
+        wp.launch(judge_cells, size, [problem], [part], device=device, block_dim=BLOCK)
 
     run = _on_cpu if device == "cpu" else _on_gpu
     timed_out = run(one_round, state, candidates, rounds, device, end)
@@ -145,3 +148,34 @@ def _on_gpu(
         if state.status.numpy().all():
             break
     return False
+
+
+def judge_rectangles(plan: CompiledPlan, cells: np.ndarray, device: str = "cpu") -> dict[str, np.ndarray]:
+    """Doors, windows, violations and status of plans given by one rectangle a room, in the frame with number 0.
+
+    Args:
+        plan: the problem.
+        cells: [B, rooms, 4] int, clear floor of each room x0, y0, x1, y1 [mm]; stairwells are those of the frame.
+        device: a Warp device.
+
+    Returns:
+        Arrays by name of `kernels.plan_tables.STATE`.
+    """
+    load(device, "plan_verdict")
+    state = new_state(len(cells), device)
+    given = {name: getattr(state, name).numpy() for name in ("cells", "storey", "owner")}
+    for room, spec in enumerate(plan.programme.rooms):
+        if plan.arrays["room_storeys"][room]:
+            given["cells"][:, room] = cells[:, room]
+            given["storey"][:, room] = spec.storey or 0
+            given["owner"][:, room] = room
+    for k, (rect, (room, storey, _doors)) in enumerate(
+        zip(plan.arrays["fixed"], plan.arrays["fixed_room"], strict=True)
+    ):
+        if k < plan.arrays["fixed_start"][1]:
+            at = plan.numbers["cells"] + k
+            given["cells"][:, at], given["storey"][:, at], given["owner"][:, at] = rect, storey, room
+    for name, values in given.items():
+        getattr(state, name).assign(values)
+    wp.launch(judge_cells, len(cells), [plan.on_device(device)], [state], device=device, block_dim=BLOCK)
+    return {table.name: getattr(state, table.name).numpy() for table in STATE}

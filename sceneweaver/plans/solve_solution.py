@@ -18,7 +18,8 @@ from .solve_topology import neighbour_matrices, room_classes, topology_codes
 UNITS = {
     "area": "m2 of floor", "side": "m of width", "aspect": "m of length", "glazing": "m of outer wall",
     "adjacency": "m between rooms that should meet", "reached": "rooms and m to reach them",
-    "entrance": "m to the entrance's wall", "wet-groups": "groups of rooms with water", "corridors": "twentieths of the floor",
+    "entrance": "m to the entrance's wall", "wet-groups": "groups of rooms with water",
+    "corridors": "twentieths of the floor",
     "large-room": "m2 of floor", "shape": "m between parts of a room", "doors": "doors without a place",
     "windows": "m of window", "turning": "rooms to turn in",
 }  # fmt: skip

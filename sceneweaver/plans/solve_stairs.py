@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 Rect = tuple[int, int, int, int]
 
-FLIGHT = 950
+FLIGHT = 920
 """Width of a flight [mm]."""
-EYE = 100
+EYE = 60
 """Between the flights [mm]."""
-GOING = 260
-LANDING = 950
+GOING = 255
+LANDING = 920
 """Depth of the landing halfway [mm]."""
 FLOOR = 1100
 """Depth of the floor before the first and after the last step [mm]: a passage and the wall beside it."""
@@ -40,12 +40,12 @@ class Stairwell:
     flight: int = FLIGHT
 
     @classmethod
-    def between(cls, rise: int, most_riser: int, least_going: int, least_width: int) -> Stairwell:
+    def between(cls, rise: int, most_riser: int, least_going: int, least_width: int, least_way: int) -> Stairwell:
         """The stairs that rise by so many mm between two floors, by the rules' bounds [mm]."""
         half = math.ceil(rise / most_riser / 2)
         going = max(GOING, least_going)
         flight = max(FLIGHT, least_width)
-        floor = flight + FLOOR - FLIGHT
+        floor = max(FLOOR, least_way)
         length = floor + (half - 1) * going + max(LANDING, flight)
         return cls(2 * flight + EYE, length, floor, 2 * half, going, flight)
 

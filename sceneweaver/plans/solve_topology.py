@@ -16,7 +16,9 @@ def room_classes(programme: Programme) -> np.ndarray:
     That is: equal in type, area, side, storey and daylight, and joined to the same rooms in the same ways.
     """
     joined = {
-        room.id: sorted((x.kind, x.hard, x.b if x.a == room.id else x.a) for x in programme.adjacencies if room.id in (x.a, x.b))
+        room.id: sorted(
+            (x.kind, x.hard, x.b if x.a == room.id else x.a) for x in programme.adjacencies if room.id in (x.a, x.b)
+        )
         for room in programme.rooms
     }
     keys = [
@@ -27,7 +29,13 @@ def room_classes(programme: Programme) -> np.ndarray:
 
 
 def neighbour_matrices(
-    cells: np.ndarray, storey: np.ndarray, owner: np.ndarray, doors: np.ndarray, counts: np.ndarray, rooms: int, inner: int
+    cells: np.ndarray,
+    storey: np.ndarray,
+    owner: np.ndarray,
+    doors: np.ndarray,
+    counts: np.ndarray,
+    rooms: int,
+    inner: int,
 ) -> np.ndarray:
     """[B, rooms, rooms] int: 1 where two rooms share a wall or lie over each other by storeys apart, 2 with a door too.
 

@@ -176,3 +176,44 @@ def test_every_hard_rule_has_its_case():
     assert set(BROKEN) == {row.id for row in Profile.named("base").rows if row.hard}
     added_rows = {row.id for row in Profile.named("accessible").rows} - {row.id for row in Profile.named("base").rows}
     assert set(ACCESSIBLE) == added_rows
+
+
+SOFT: dict[str, tuple[Change, str]] = {
+    "corridors-short": (lambda data: None, "share of the floor is 15.8 %; at most 14.0 %"),
+    "kitchen-dining": (lambda data: None, "kitchen to living: distance is 2.200 m; at most 0.400 m"),
+    "kitchen-wide": (resized("kitchen", 0.3, 1.3, 2.9, 3.0), "kitchen: clear width is 1.700 m; at least 1.800 m"),
+    "kitchen-light": (without("windows", "w-kitchen"), "kitchen: windows by floor is 0.0 %; at least 8.0 %"),
+    "kitchen-entrance": (
+        both(
+            retyped(hall="corridor"),
+            added("rooms", id="far", type="vestibule", storey="ground", outline=outline((12, 0.3, 14, 3))),
+        ),
+        "kitchen to far: distance is 9.100 m; at most 3.000 m",
+    ),
+    "no-dead-ends": (resized("landing", 3.0, -3.0, 5.0, 4.2), "landing: way beyond the last door is 1.800 m"),
+    "bedrooms-apart": (retyped(landing="living_room"), "bedroom: it opens to landing"),
+    "bath-bedrooms": (retyped(bath="closet"), "bedroom to shower: distance is 5.200 m; at most 4.000 m"),
+    "toilet-not-at-kitchen": (retyped(hall="kitchen_diner"), "shower: it opens to hall"),
+    "living-light": (with_part("windows", "w-living", width=0.6), "living: windows by floor is"),
+    "living-sun": (
+        both(without("windows", "w-living"), with_part("windows", "w-living-south", wall=2)),
+        "living: glass that does not face north is 0.0 %; at least 50.0 %",
+    ),
+    "two-sides": (without("windows", "w-living-south"), "living: sides with windows is 1; at least 2"),
+    "aspect-good": (lambda data: None, "living: length by width is 1.889; at most 1.7"),
+    "aspect-small": (resized("kitchen", -3.5, 0.3, 2.9, 1.9), "kitchen: length by width is 4; at most 3.5"),
+    "wet-together": (retyped(living="living_kitchen"), "groups is 2; at most 1"),
+}
+
+
+@pytest.mark.parametrize("rule", SOFT)
+def test_each_soft_rule_costs(rule: str):
+    change, line = SOFT[rule]
+    report = check_plan(home_with(change))
+    found = [violation.detail for violation in report.soft if violation.rule == rule]
+    assert any(line in detail for detail in found), found
+    assert report.cost > 0 and rule not in {violation.rule for violation in report.violations}
+
+
+def test_every_soft_rule_has_its_case():
+    assert set(SOFT) == {row.id for row in Profile.named("base").rows if not row.hard}

@@ -76,6 +76,30 @@ def turning_square(plan: PlanFacts, room: RoomFacts) -> int:
     return (room.region - Region.of_boxes(taken)).largest_square()
 
 
+@measure("dead_end")
+def dead_end(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
+    """From each side of the rectangle around a room to the nearest end of one of its doors, less its clear width."""
+    for room in plan.selected(rule.of):
+        spans = [_span(door, *door.place_in(room)) for door in plan.doors_of(room)]
+        if not spans:
+            continue
+        x0, y0, x1, y1 = room.box
+        reach = max(
+            min(s[0] for s in spans) - x0,
+            min(s[1] for s in spans) - y0,
+            x1 - max(s[2] for s in spans),
+            y1 - max(s[3] for s in spans),
+        )
+        beyond = max(0, reach - clear_side(room))
+        yield Reading((room.id,), metres(beyond), f"{room.id}: way beyond the last door", "m")
+
+
+def _span(door: DoorFacts, wall: Wall, offset: int) -> tuple[int, int, int, int]:
+    """The rectangle around an opening in a wall [mm]."""
+    (ax, ay), (bx, by) = wall.at(offset), wall.at(offset + door.width)
+    return round(min(ax, bx)), round(min(ay, by)), round(max(ax, bx)), round(max(ay, by))
+
+
 @measure("passage")
 def passage(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     """Side of the square that slides from each door to each other."""
