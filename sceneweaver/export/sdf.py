@@ -38,7 +38,8 @@ FOLDER = "sdf"
 """Where the meshes are, beside the file."""
 
 _STUD = 1e-3  # [m], radius of the balls in corners of undersides
-_LEVEL = 1e-3  # [m] within which corners belong to the underside
+_INSET = 0.25  # of the way to the middle, where the underside is one face: what lies below it may have bevels
+_LEVEL = 1e-4  # [m] within which corners belong to the underside: bevels are higher
 
 
 def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: bool = False) -> dict[str, bytes]:
@@ -137,13 +138,16 @@ def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation,
 
 
 def _underside(link: ArticulatedLink) -> np.ndarray:
-    """At most four corners [N, 3] of what a link stands on, far from each other."""
+    """At most four points [N, 3] of what a link stands on, near its corners."""
     points = np.concatenate([shape.points for shape in link.shapes])
-    low = points[points[:, 2] < points[:, 2].min() + _LEVEL]
+    level = points[:, 2].min() + _LEVEL
+    low = points[points[:, 2] < level]
     ways = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1)], dtype=float)
     middle = low[:, :2].mean(axis=0)
     corners = [low[int(((low[:, :2] - middle) @ way).argmax())] for way in ways]
-    inset = [corner - [*(_STUD * np.sign(corner[:2] - middle)), 0.0] for corner in corners]
+    share = _INSET if sum(shape.points[:, 2].min() < level for shape in link.shapes) == 1 else 0.0
+    offs = [corner[:2] - middle for corner in corners]
+    inset = [c - [*(_STUD * np.sign(off) + share * off), 0.0] for c, off in zip(corners, offs, strict=True)]
     return np.unique(np.round(inset, 9), axis=0)
 
 

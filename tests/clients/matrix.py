@@ -12,11 +12,12 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.assets.placed import loader, welded_assets
+from sceneweaver.assets.placed import Load, loader, welded_assets
 from sceneweaver.export import export_scene, format_named
 from sceneweaver.home import Home, is_home
 from sceneweaver.scene import Scene
@@ -71,30 +72,36 @@ def run(python: Path, module: str, folder: Path, wanted: Path, seconds: float, l
     return json.loads(done.stdout.strip().splitlines()[-1])
 
 
+def write_home(home: Home, folder: Path, name: str, load: Load) -> None:
+    """Write a home in a format into a new folder, under the name of a scene's file, by which clients load it."""
+    folder.mkdir()
+    one = format_named(name)
+    one.for_homes().write(home, folder / one.file, load, textures=True)
+
+
 def measure_room(
-    path: Path, names: Sequence[str], seconds: float = SECONDS, *, welded: bool = False
+    path: Path, names: Sequence[str], seconds: float = SECONDS, *, welded: bool = False, keep: Path | None = None
 ) -> list[dict[str, Any]]:
-    """The rows of one file of a scene or a home in those clients."""
+    """The rows of one file of a scene or a home in those clients; what they read is kept in a folder on wish."""
     rows: list[dict[str, Any]] = []
     home = Home.load(path) if is_home(json.loads(path.read_text())) else None
     load = loader(welded_assets() if welded else None)
-    with tempfile.TemporaryDirectory() as place:
-        wanted = Path(place) / "expected.json"
+    with tempfile.TemporaryDirectory() if keep is None else nullcontext(keep) as place:
+        Path(place).mkdir(parents=True, exist_ok=True)
+        wanted = Path(place).resolve() / "expected.json"
         found = expected(Scene.load(path), loose=not welded) if home is None else expected_of_home(home, load)
         wanted.write_text(json.dumps(found))
         for name in names:
             entry = CLIENTS[name]
             row: dict[str, Any] = {"name": name, "scene": path.parent.name, "format": entry.format}
             rows.append(row)
-            folder = Path(place) / entry.format.replace(":", "-")
+            folder = Path(place).resolve() / entry.format.replace(":", "-")
             try:
                 if not folder.exists():
                     if home is None:
                         export_scene(Scene.load(path), folder, [entry.format], welded=welded)
-                    else:  # under the name of a scene's file, by which clients load it
-                        folder.mkdir()
-                        one = format_named(entry.format)
-                        one.for_homes().write(home, folder / one.file, load, textures=True)
+                    else:
+                        write_home(home, folder, entry.format, load)
                 row |= run(python_of(entry.environment), entry.module, folder, wanted, seconds)
             except UnavailableError as error:
                 row["error"] = f"skipped: {error}"
@@ -141,11 +148,13 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--clients", default=",".join(CLIENTS))
     parser.add_argument("--out", type=Path, help="a file that lines of JSON are added to")
     parser.add_argument("--seconds", type=float, default=SECONDS)
+    parser.add_argument("--keep", type=Path, help="a folder for what is measured, for measure.py on another machine")
     parser.add_argument("--welded", action="store_true", help="things of fruit bowls, stacks and the like as one body")
     given = parser.parse_args(arguments)
     rows = []
     for path in given.scenes:
-        found = measure_room(path, given.clients.split(","), given.seconds, welded=given.welded)
+        keep = None if given.keep is None else given.keep / path.parent.name
+        found = measure_room(path, given.clients.split(","), given.seconds, welded=given.welded, keep=keep)
         rows += found
         if given.out is not None:
             with given.out.open("a", encoding="utf-8") as file:

@@ -13,9 +13,11 @@ from sceneweaver.export import export_scene
 from sceneweaver.scene import Door, Pose, Room, Scene
 from tests.clients import matrix
 from tests.clients.environments import UnavailableError, python_of
-from tests.clients.expected import expected
+from tests.clients.expected import expected, expected_of_home
+from tests.export.home.homes import flat, load
 
 ASSETS = {a.id: a for a in (make("fridge", 1), make("nightstand", 2), make("armchair", 2))}
+HOME_CLIENTS = ("mujoco", "mujoco_warp", "newton", "newton_usd", "drake", "pybullet", "sapien")
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +68,35 @@ def test_what_is_wrong_is_found(scene, wanted, tmp_path) -> None:
     assert row["pose_m"] == pytest.approx(1e-3, rel=1e-3) and row["pose_worst"] == "armchair_2"
     assert row["joints_opened"] == row["joints_expected"] - 1
     assert "error" in matrix.run(Path(sys.executable), "mujoco", tmp_path / "gone", wanted, 0.0)
+
+
+@pytest.fixture(scope="module")
+def home_wanted(tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("home") / "expected.json"
+    path.write_text(json.dumps(expected_of_home(flat(), load)))
+    return path
+
+
+@pytest.mark.parametrize("name", ["mujoco", "mujoco_sleep"])
+def test_a_home_in_this_mujoco(name, home_wanted, tmp_path) -> None:
+    matrix.write_home(flat(), tmp_path / "out", "mjcf", load)
+    row = matrix.run(Path(sys.executable), name, tmp_path / "out", home_wanted, 0.5)
+    check(row)
+    assert row["bodies"] == row["bodies_expected"] > 20
+    assert row["joints"] == row["joints_expected"] >= 7
+
+
+@pytest.mark.slow
+@pytest.mark.bench
+@pytest.mark.parametrize("name", HOME_CLIENTS)
+def test_a_home_in_other_clients(name, home_wanted, tmp_path) -> None:
+    entry = matrix.CLIENTS[name]
+    try:
+        python = python_of(entry.environment)
+    except UnavailableError as error:
+        pytest.skip(str(error))
+    matrix.write_home(flat(), tmp_path / "out", entry.format, load)
+    check(matrix.run(python, entry.module, tmp_path / "out", home_wanted, matrix.SECONDS))
 
 
 @pytest.mark.slow

@@ -19,8 +19,11 @@ import pytest
 from sceneweaver.assets import Asset, Material, Mesh, make
 from sceneweaver.export import glb_bytes
 from sceneweaver.export.glb import model_bytes
+from sceneweaver.export.home.built import BuiltHome
+from sceneweaver.export.home.glb import home_glb
 from sceneweaver.knowledge.library import load_scene
 from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Window
+from tests.export.home.homes import flat, house, load
 from tests.sizes import often
 
 HERE = Path(__file__).parent / "gltf_validator"
@@ -164,6 +167,11 @@ def test_scenes_made_by_hand(issues) -> None:
 @pytest.mark.parametrize("name", often(["kitchen-1", "living_room-1", "cafe-1", "childrens_room-1"], ["kitchen-1"]))
 def test_rooms_as_they_are_designed(issues, name) -> None:
     assert issues(room=glb_bytes(load_scene(name))) == {"room": []}
+
+
+def test_homes(issues) -> None:
+    files = {home.id: home_glb(BuiltHome.of(home, load)) for home in (flat(), house("l"))}
+    assert issues(**files) == {name: [] for name in files}
 
 
 def test_models(issues) -> None:

@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from sceneweaver.assets import make
 from sceneweaver.export import export_scene
+from sceneweaver.export.articulations import placed_articulations
 from sceneweaver.export.sdf import roll_pitch_yaw, sdf
 from sceneweaver.physics.leaves import leaves
 from sceneweaver.scene import Door, Pose, Room, Scene, Window
@@ -137,3 +138,28 @@ def test_angles_are_those_of_the_rotation(angles) -> None:
     turn = Rotation.from_euler("xyz", angles)
     found = roll_pitch_yaw(tuple(turn.as_quat()))
     assert (Rotation.from_euler("xyz", found).inv() * turn).magnitude() < 1e-9
+
+
+@pytest.mark.parametrize("category", ["magazine_stack", "chair"])
+def test_balls_under_a_model_stand_on_its_lowest_face(category) -> None:
+    """Where the underside is one face they are a quarter of the way in, off the bevels; else in its corners."""
+    asset = make(category, 3)
+    thing = asset.object("a", mount="floor", pose=Pose.from_yaw(1.5, 1.5, 0.0, 0.4))
+    scene = Scene(id="s", room=Room.rectangle(4, 4), objects=(thing,))
+    root = Xml.fromstring(sdf(scene, lambda _: asset)["scene.sdf"])
+    links = [link for model in root.iter("model") if model.get("name") != "room" for link in model.iterfind("link")]
+    for placed, link in zip(placed_articulations(scene, lambda _: asset)[1:], links, strict=True):
+        studs = [c for c in link.iterfind("collision") if str(c.get("name")).startswith("stud")]
+        at = np.array([[float(v) for v in str(c.findtext("pose")).split()[:3]] for c in studs])
+        shapes = placed.model.links[0].shapes
+        low = min(shape.points[:, 2].min() for shape in shapes)
+        assert len(at) == 4
+        assert np.allclose(at[:, 2], low + 1e-3, atol=1e-4)
+        single = [shape for shape in shapes if shape.points[:, 2].min() < low + 1e-4]
+        if category == "magazine_stack":
+            assert len(single) == 1
+            face = single[0].points[single[0].points[:, 2] < low + 1e-4][:, :2]
+            assert np.ptp(at[:, 0]) < 0.85 * np.ptp(face[:, 0])
+            assert np.ptp(at[:, 0]) > 0.6 * np.ptp(face[:, 0])
+        else:
+            assert len(single) > 1

@@ -15,9 +15,12 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.room_looks import PAINT, room_looks, wall_look
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, heights
 from sceneweaver.home import Home, HomeDoor, HomeWindow
+from sceneweaver.home.treads import treads
 from sceneweaver.scene import Room
 
+from ..bodies import some_faces
 from ..openings import window_mesh
+from ..room import manifold_mesh
 from .names import HomeNames
 from .pieces import polygons
 from .structure import RAILING, StoreyPlan, deck, stair_steps
@@ -53,9 +56,9 @@ def structure_parts(home: Home, plans: list[StoreyPlan], names: HomeNames) -> li
             floor, low = deck(plan, plans[k - 1])
             solid = extruded(floor, low + _APART, plan.low - FLOOR_THICKNESS)
             if solid.num_tri():
-                found.append(Part(f"{names.home}:floor:{storey}", "floor", _of(solid, _OUTSIDE)))
+                found.append(Part(f"{names.home}:floor:{storey}", "floor", manifold_mesh(solid, _OUTSIDE)))
         for room, rail in plan.railings().items():
-            made = _of(extruded(rail, plan.low, plan.low + RAILING[1]), _RAILING)
+            made = manifold_mesh(extruded(rail, plan.low, plan.low + RAILING[1]), _RAILING)
             found.append(Part(f"{names.home}:railing:{room}", "railing", made, room))
         for opening in plan.openings:
             if isinstance(opening.opening, HomeWindow):
@@ -70,8 +73,6 @@ def structure_parts(home: Home, plans: list[StoreyPlan], names: HomeNames) -> li
 
 def by_material(mesh: Mesh) -> list[Mesh]:
     """A mesh as one of each material that it has."""
-    from ..bodies import some_faces
-
     found = []
     for number in np.unique(mesh.face_material).tolist():
         part = some_faces(mesh, mesh.face_material == number)
@@ -107,10 +108,11 @@ def _floors(home: Home, plan: StoreyPlan, rooms: dict[str, Room]) -> list[Part]:
         floor = extruded(own.difference(plan.holes), plan.low - FLOOR_THICKNESS, plan.low)
         looks = room_looks(rooms[room.id])
         if floor.num_tri():
-            found.append(Part(f"{room.id}:floor", "floor", _of(floor, looks.floor), room.id))
+            found.append(Part(f"{room.id}:floor", "floor", manifold_mesh(floor, looks.floor), room.id))
         if room.outdoor:
             continue
-        sheet = _sheet(_of(extruded(plan.rooms[room.id].difference(_open_above(home, plan)), plan.high, plan.high + 1)))
+        above = extruded(plan.rooms[room.id].difference(_open_above(home, plan)), plan.high, plan.high + 1)
+        sheet = _sheet(manifold_mesh(above, PAINT))
         if len(sheet.faces):
             painted = looks.ceiling or replace(looks.wall, name="ceiling")
             found.append(Part(f"{room.id}:ceiling", "ceiling", replace(sheet, materials=(painted,)), room.id))
@@ -121,16 +123,12 @@ def _open_above(home: Home, plan: StoreyPlan) -> Any:
     """Where stairs go up through the ceiling of a storey."""
     import shapely
 
-    from sceneweaver.home.treads import treads
-
     here = {room.id for room in home.rooms_of(plan.storey.id)}
     return shapely.union_all([shapely.Polygon(t.plan) for s in home.stairs if s.lower in here for t in treads(s)])
 
 
 def _sheet(mesh: Mesh) -> Mesh:
     """The underside of a mesh."""
-    from ..bodies import some_faces
-
     corners = mesh.vertices[mesh.faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return some_faces(mesh, normal[:, 2] < -0.9 * np.linalg.norm(normal, axis=1))
@@ -148,9 +146,13 @@ def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
         pocket = plan.pockets.get(opening.opening.id)
         if pocket is not None:
             solid = solid - extruded(pocket.plan, plan.low, high)
-    mesh = _of(solid)
-    if not len(mesh.faces):
-        return mesh
+    return _painted(manifold_mesh(solid, PAINT), plan, rooms)
+
+
+def _painted(mesh: Mesh, plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
+    """The walls of a storey, each face in the paint of the room before it; in openings and on top they are plain."""
+    import shapely
+
     looks: list[Material] = [_OUTSIDE, PAINT]
     face_material = np.ones(len(mesh.faces), dtype=np.int32)
     corners = mesh.vertices[mesh.faces]
@@ -159,8 +161,6 @@ def _walls(plan: StoreyPlan, rooms: dict[str, Room]) -> Mesh:
     middle = corners.mean(axis=1)
     upright = np.abs(normal[:, 2]) < 0.5
     before = middle[:, :2] + _AHEAD * normal[:, :2]
-    import shapely
-
     left = upright & ~shapely.contains_xy(plan.walls, *before.T)
     face_material[left & ~_within(plan, before)] = 0
     for name, floor in {**plan.rooms, **plan.outdoors}.items():
@@ -204,15 +204,8 @@ def _stair(steps: list[tuple[np.ndarray, float, float]]) -> Mesh:
     solid = Manifold()
     for plan, low, high in steps:
         solid = solid + extruded(Polygon(plan), low, high)
-    return _of(solid, _TREAD)
+    return manifold_mesh(solid, _TREAD)
 
 
 def _lifted(mesh: Mesh, up: float) -> Mesh:
     return replace(mesh, vertices=mesh.vertices + (0.0, 0.0, up)) if up else mesh
-
-
-def _of(solid: Any, material: Material = PAINT) -> Mesh:
-    """The arrays of a manifold, of one material."""
-    from ..room import manifold_mesh
-
-    return manifold_mesh(solid, material)

@@ -26,7 +26,9 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.objects import SceneObject
 from tests.export.home.homes import ASSETS, desk_with_mug, flat, house, load
 
-Usd, UsdGeom, UsdPhysics = (import_module(f"pxr.{name}") for name in ("Usd", "UsdGeom", "UsdPhysics"))
+Usd, UsdGeom, UsdPhysics, UsdValidation = (
+    import_module(f"pxr.{name}") for name in ("Usd", "UsdGeom", "UsdPhysics", "UsdValidation")
+)  # type: tuple[Any, ...]
 
 
 def placed(home: Home) -> dict[str, tuple[str, SceneObject, np.ndarray]]:
@@ -145,6 +147,15 @@ def test_a_usd_has_each_object_below_its_room(tmp_path) -> None:
             assert group.GetCustomDataByKey("sceneweaver")["id"] == room
         names = [p.GetName() for p in stage.Traverse() if p.HasAPI(UsdPhysics.RigidBodyAPI) or p.IsA(UsdPhysics.Joint)]
         assert len(names) == len(set(names))
+
+
+def test_the_validators_of_usd_have_nothing_against_it(tmp_path) -> None:
+    files = export_home(house("u"), tmp_path, ["usd"], load)
+    stage = Usd.Stage.Open(str(files["usd"]))
+    assert not stage.GetCompositionErrors()
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    assert [error.GetErrorAsString() for error in errors] == []
 
 
 def test_doors_of_a_usd_turn_or_slide() -> None:
