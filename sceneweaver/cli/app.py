@@ -304,7 +304,14 @@ def render(
     context: typer.Context,
     source: Input,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="OUT", help="A PNG; with --passes a folder.", show_default=False)
+        Path,
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="OUT",
+            help="A PNG; of plans of homes an SVG, of homes or passes a folder.",
+            show_default=False,
+        ),
     ],
     plain: Annotated[bool, typer.Option("--plain", help="Of a plan: without title, axes, labels and zones.")] = False,
     width: Annotated[int, typer.Option(min=200, max=8192, help="Width in pixels.")] = 1600,
@@ -312,7 +319,12 @@ def render(
         int | None, typer.Option(min=150, max=8192, help="Height in pixels (default: 3/4 of it).", show_default=False)
     ] = None,
     view: Annotated[
-        str, typer.Option(metavar="VIEW", help="plan, eye-door, eye-corner, eye-corner2, corner, corner2 or top.")
+        str,
+        typer.Option(
+            metavar="VIEW",
+            help="plan, eye-door, eye-corner, eye-corner2, corner, corner2 or top; of a home plan, overview, walk_01 "
+            "and so on, or all.",
+        ),
     ] = "plan",
     passes: Annotated[
         str | None,
@@ -330,11 +342,14 @@ def render(
     time_limit: TimeLimit = None,
     as_json: Json = False,
 ) -> int:
-    """Draw a scene: a plan, a picture of the room, or data passes for learning."""
+    """Draw a scene: a plan, a picture of the room, or data passes for learning. Of a home plans, storeys and a walk."""
+    from .home_views import holds_home, render_home_file
     from .render import run_passes, run_render
 
     size = (width, height or round(0.75 * width))
     common: Any = {"device": device, "as_json": as_json, "time_limit": time_limit, "began": context.obj}
+    if passes is None and holds_home(source):
+        return render_home_file(source, out, view, size, **common)
     if passes is not None:
         return run_passes(source, out, passes, cameras, kind, size, **common)
     return run_render(source, out, view, size, plain=plain, **common)

@@ -15,8 +15,11 @@ from urllib.parse import unquote, urlsplit
 
 import typer
 
+from sceneweaver.home import Home
 from sceneweaver.io import parse_json, read_bytes
 from sceneweaver.scene import InputError, Scene
+
+from .home_views import holds_home, home_page
 
 HOST = "127.0.0.1"
 PORTS_TRIED = 50
@@ -42,7 +45,7 @@ _TYPES = {
 
 
 def run_view(folder: Path, port: int, open_browser: bool) -> int:
-    """Serve a run folder, a report.html, a scene.json or a scene.glb until Ctrl-C.
+    """Serve a run folder, a report.html, a scene.json, a home.json or a scene.glb until Ctrl-C.
 
     Raises:
         InputError: when there is nothing to show, or no port is free.
@@ -72,10 +75,12 @@ def show(path: Path) -> tuple[Callable[[], bytes], Path | None]:
     if path.is_dir():
         if (path / "report.html").is_file():
             return partial(read_bytes, path / "report.html", max_bytes=MAX_BYTES), path
-        for name in ("scene.json", "scene.glb"):
+        for name in ("home.json", "scene.json", "scene.glb"):
             if (path / name).is_file():
                 return _fixed(_page(path / name)), path
-        raise InputError(f"{path}: holds no report.html, scene.json or scene.glb; give a folder that a run wrote")
+        raise InputError(
+            f"{path}: holds no report.html, home.json, scene.json or scene.glb; give a folder that a run wrote"
+        )
     if not path.exists():
         raise InputError(f"{path}: does not exist; give a run's folder, a report.html, a scene.json or a scene.glb")
     if path.suffix.lower() in (".html", ".htm"):
@@ -107,7 +112,7 @@ def _fixed(data: bytes) -> Callable[[], bytes]:
 
 
 def _page(path: Path) -> bytes:
-    """A page made for a scene alone."""
+    """A page made for a scene or a home alone."""
     from sceneweaver.report import ReportData, report_html
 
     if path.suffix.lower() == ".glb":
@@ -115,6 +120,10 @@ def _page(path: Path) -> bytes:
 
         scene, load = read_glb(path)
         return report_html(ReportData(scene, load=load)).encode()
+    if holds_home(path):
+        from sceneweaver.report.home import home_report
+
+        return home_report(home_page(Home.load(path), path.parent)).encode()
     scene = Scene.load(path)
     metrics = _metrics(path.parent / "metrics.json", path)
     if metrics is not None:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from PIL import Image
 
 from .canvas import Color, Point, Text, line_height
+from .palette import PAPER
 from .shapes import Plan, View
 
 _FONT = "Aileron, 'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif"
@@ -101,6 +102,7 @@ class SvgPlan(Plan):
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width} {self.height}"{paper} role="img"'
             f' font-family="{_FONT}" stroke-linecap="round" stroke-linejoin="round"><title>{_escaped(title)}</title>\n'
         )
+        out.write(f'<rect width="{self.width}" height="{self.height}"{_fill(PAPER)}/>\n')
         for part in (*self._parts, *self._last):
             out.write(part + "\n")
         out.write("</svg>\n")

@@ -55,6 +55,9 @@ _KEY_FULL = 0.12
 
 _MUCH = 0.22  # how much better the view from a corner must be than that from the door, on a walk
 
+_BACK = (0.9, 1.3, 1.7, 2.2, 2.8, 3.5)  # how far one steps back from a door to look through it [m]
+_THROUGH = 0.2  # share of the picture that is seen through the door, from which on it is enough
+
 MORE = 0.4
 """What it counts for a picture that it shows all that matters and that no other picture shows."""
 
@@ -172,6 +175,48 @@ def walk_camera(scene: Scene, aspect: float, entered: str | None, doors: Collect
         best.append((_on_walk(first, room, open_doors), first.candidate.camera))
     (from_door, entering), (from_corner, corner) = best
     return corner if from_corner > from_door + _MUCH else entering
+
+
+def onward_camera(scene: Scene, aspect: float, door: str) -> Camera | None:
+    """From where one looks out of a room through an open door, seeing something of the room as well.
+
+    Args:
+        scene: The room.
+        aspect: Width over height of the picture.
+        door: Id of the door.
+
+    Returns:
+        The camera, or None where nobody can step back from the door.
+    """
+    import shapely
+
+    room = _Room(scene, aspect)
+    number, own = next((k, d) for k, d in enumerate(scene.room.doors) if d.id == door)
+    wall, middle = scene.room.walls[own.wall], own.offset + own.width / 2
+    inside = shapely.Polygon(scene.room.outline).buffer(-_HEAD)
+    target = np.array(wall.point(middle, -0.3))
+    height = min(EYE_HEIGHT, 0.6 * scene.room.height)
+    found = []
+    for depth in _BACK:
+        for aside in (0.0, -0.4, 0.4, -0.9, 0.9):
+            eye = np.array(wall.point(middle + aside, depth))
+            if inside.contains(shapely.Point(eye)):
+                yaw = math.atan2(*(target - eye)[::-1])
+                found += [
+                    _Candidate(Camera.level((*eye, height), yaw + turn, room.angle, aspect, shift), ("door", number))
+                    for turn in (0.0, -0.22, 0.22)
+                    for shift in SHIFTS[:2]
+                ]
+    if not found:
+        return None
+    found = _free(scene, found)
+    glimpses = Probe(scene, doors=False).look([one.camera for one in found], *_FINE)
+
+    def worth(one: _Candidate, glimpse: Glimpse) -> float:
+        through = float((glimpse.ids == NOTHING).mean())
+        return round(min(through, _THROUGH) / _THROUGH + 0.5 * _judge(room, one, glimpse).worth, 6)
+
+    return max(zip(found, glimpses, strict=True), key=lambda pair: worth(*pair))[0].camera
 
 
 def _on_walk(one: _Judged, room: _Room, open_doors: list[int]) -> float:

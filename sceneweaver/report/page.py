@@ -82,14 +82,18 @@ def rendered(template: str, shown: dict[str, Any], meshes: str, style: str = "",
     """
     script = _script()
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    return _templates().get_template(template).render(
-        policy=f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:; "
-        "base-uri 'none'; form-action 'none'",
-        style=_text("style.css") + (_text(style) if style else ""),
-        facts_json=json_block("scene-data", shown),
-        meshes=meshes,
-        script=script,
-        **context,
+    return (
+        _templates()
+        .get_template(template)
+        .render(
+            policy=f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:; "
+            "base-uri 'none'; form-action 'none'",
+            style=_text("style.css") + (_text(style) if style else ""),
+            facts_json=json_block("scene-data", shown),
+            meshes=meshes,
+            script=script,
+            **context,
+        )
     )
 
 

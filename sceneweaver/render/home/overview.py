@@ -13,6 +13,7 @@ from PIL import Image
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.home import Home, HomeDoor, wall_polygons
+from sceneweaver.scene import Scene
 
 from ..blocks import Finishes, finishes_of
 from ..camera import Camera
@@ -41,7 +42,8 @@ def draw_overview(
     device: str = "cpu",
 ) -> Image.Image:
     """The picture of a storey; see `sceneweaver.render.home.render_home`."""
-    solids = [Instance(mesh, np.eye(4)) for mesh in _meshes(home, storey)]
+    meshes = [*(mesh for _, mesh in open_storey(home, storey)), shell.ground_mesh(home, storey, _GROUND)]
+    solids = [Instance(mesh, np.eye(4)) for mesh in meshes if mesh is not None]
     things = furniture(home, storey, load)
     camera = overview_camera(home, storey, width / height)
     x0, y0, x1, y1 = _bounds(home, storey)
@@ -68,10 +70,15 @@ def furniture(home: Home, storey: str, load: Callable[[str], Asset] | None) -> l
     found = []
     for room in home.rooms_of(storey):
         if room.scene is not None:
-            gone = hidden_with(room.scene, (), CUT + _OVER)
+            gone = hidden_when_cut(room.scene)
             things = zip(room.scene.objects, instances_of(room.scene, load), strict=True)
             found += [instance for thing, instance in things if thing.id not in gone]
     return found
+
+
+def hidden_when_cut(scene: Scene) -> set[str]:
+    """Ids of the objects that hang from the ceiling or over the cut of the walls, and of what stands on these."""
+    return hidden_with(scene, (), CUT + _OVER)
 
 
 def overview_camera(home: Home, storey: str, aspect: float) -> Camera:
@@ -89,7 +96,11 @@ def _bounds(home: Home, storey: str) -> tuple[float, float, float, float]:
     return shapely.union_all(shapes).bounds
 
 
-def _meshes(home: Home, storey: str) -> list[Mesh]:
+def open_storey(home: Home, storey: str, cut: float = CUT) -> list[tuple[str, Mesh]]:
+    """A storey without ceilings, its walls cut at a height [m]: meshes with what they are, floor or wall.
+
+    Heights are counted from the floor of the storey, as in the scenes of its rooms.
+    """
     looks: dict[str, Finishes] = {
         room.id: finishes_of(shell.scene_of(home, room), cut=_CUT_COLOR) for room in home.rooms_of(storey)
     }
@@ -98,9 +109,10 @@ def _meshes(home: Home, storey: str) -> list[Mesh]:
     def ajar(door: HomeDoor) -> float:
         return 0.0 if door.to is None else _AJAR
 
-    found = [shell.walls_mesh(home, storey, looks, CUT), *shell.floors_of(home, storey, looks)]
-    found += [mesh for _, mesh in shell.doors_of(home, storey, looks, ajar, CUT - 0.002)]
-    found += [mesh for _, mesh in shell.windows_of(home, storey, framed, top=CUT - 0.002)]
-    found += [shell.stairs_mesh(home, storey, CUT), shell.railings_mesh(home, storey)]
-    found.append(shell.ground_mesh(home, storey, _GROUND))
-    return [mesh for mesh in found if mesh is not None]
+    low = cut - 0.002  # frames do not end in the plane of the walls' cut
+    found: list[tuple[str, Mesh | None]] = [("wall", shell.walls_mesh(home, storey, looks, cut))]
+    found += [("floor", mesh) for mesh in shell.floors_of(home, storey, looks)]
+    found += [("wall", mesh) for _, mesh in shell.doors_of(home, storey, looks, ajar, low)]
+    found += [("wall", mesh) for _, mesh in shell.windows_of(home, storey, framed, top=low)]
+    found += [("floor", shell.stairs_mesh(home, storey, cut)), ("wall", shell.railings_mesh(home, storey))]
+    return [(kind, mesh) for kind, mesh in found if mesh is not None]

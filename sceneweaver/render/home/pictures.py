@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from PIL import Image
 
@@ -13,15 +14,13 @@ from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
 
 from ..tracing import Quality
-from .overview import draw_overview
-from .plan import plan_picture
+from .overview import draw_overview, hidden_when_cut, open_storey
+from .plan import draw_plan, plan_picture
 from .plan_names import room_titles
 from .walk import Walk, walk_order
 
 OVERVIEW_DRAFT = Quality(windows=1, lamps=1, bounces=5, suns=3, spacing=2, levels=4, rays=4)
 """How carefully storeys are drawn for a quick look: by day there is light from all sides."""
-
-_WIDER = 4 / 3  # how much larger a picture of a storey is than one of a room
 
 
 def home_views(home: Home) -> dict[str, str]:
@@ -47,12 +46,32 @@ def home_views(home: Home) -> dict[str, str]:
     return found
 
 
+def report_parts(home: Home) -> dict[str, Any]:
+    """What `sceneweaver.report.home.HomePage` takes of drawings: plans, solids, hidden, captions, shows.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.render.home import report_parts
+        >>> report_parts(sw.Home.example("flat"))["shows"]["walk_01"]
+        'hall'
+    """
+    links = {room.id: f"#room-{room.id}" for room in home.rooms}
+    storeys = [storey.id for storey in home.storeys if home.rooms_of(storey.id)]
+    return {
+        "plans": {storey: draw_plan(home, storey, links=links) for storey in storeys},
+        "solids": {storey: open_storey(home, storey) for storey in storeys},
+        "hidden": {r.id: hidden_when_cut(r.scene) for r in home.rooms if r.scene is not None},
+        "captions": home_views(home),
+        "shows": {f"walk_{k + 1:02d}": stop.room for k, stop in enumerate(walk_order(home))},
+    }
+
+
 def render_home(
     home: Home,
     load: Callable[[str], Asset] | None = None,
     views: Sequence[str] | None = None,
-    width: int = 960,
-    height: int = 720,
+    width: int = 1120,
+    height: int = 840,
     quality: Quality | None = None,
     device: str = "cpu",
 ) -> dict[str, Image.Image]:
@@ -62,8 +81,7 @@ def render_home(
         home: The home; rooms without a scene are empty.
         load: Gives the asset of an id; None: ``Library().load``.
         views: Which of `home_views`; None: all.
-        width: Width of a view of a room in pixels; those of a storey are a third larger, and plans are drawn at 160
-            dots an inch.
+        width: Width of a picture in pixels; plans are drawn at 160 dots an inch.
         height: Its height.
         quality: How carefully pictures are traced; None: `Quality.draft`, some 8 seconds of one core a picture.
         device: Where they are traced: "cpu" or "cuda:0".
@@ -84,8 +102,8 @@ def home_pictures(
     home: Home,
     load: Callable[[str], Asset] | None = None,
     views: Sequence[str] | None = None,
-    width: int = 960,
-    height: int = 720,
+    width: int = 1120,
+    height: int = 840,
     quality: Quality | None = None,
     device: str = "cpu",
 ) -> Iterator[tuple[str, Image.Image]]:
@@ -100,7 +118,7 @@ def home_pictures(
     known = list(home_views(home))
     for view in views or ():
         if view not in known:
-            raise InputError(f"view: '{view}' is unknown{suggest(view, known)}; use one of {', '.join(known)}")
+            raise InputError(f"view: '{view}' is unknown{suggest(view, known)}")
     if width < 16 or height < 16:
         raise InputError(f"width, height: {width} x {height} pixels are too few for a room; use at least 16 x 16")
     return _drawn(home, load, known if views is None else list(views), (width, height), quality, device)
@@ -115,13 +133,12 @@ def _drawn(
     device: str,
 ) -> Iterator[tuple[str, Image.Image]]:
     walk = Walk(home, load, size[0] / size[1], device)
-    large = round(_WIDER * size[0]), round(_WIDER * size[1])
     for view in views:
         checkpoint()
         kind, _, what = view.partition("_")
         if kind == "plan":
             yield view, plan_picture(home, what)
         elif kind == "overview":
-            yield view, draw_overview(home, what, load, *large, quality or OVERVIEW_DRAFT, device)
+            yield view, draw_overview(home, what, load, *size, quality or OVERVIEW_DRAFT, device)
         else:
             yield view, walk.picture(int(what) - 1, *size, quality or Quality.draft())

@@ -39,7 +39,8 @@ class Chain:
 def room_chain(home: Home, storey: str, side: Side, whole: Bounds) -> Chain:
     """The rooms that lie first behind a side of a storey: from face to face, and the walls between."""
     rooms = [room for room in home.rooms_of(storey) if not room.outdoor] or list(home.rooms_of(storey))
-    spans = _spans(rooms, side)
+    # Through the wall between two rooms one looks at a third: that is no room of the side.
+    spans = [(a, b) for a, b in _spans(rooms, side) if b - a > home.walls.outer + _LEAST]
     low, high = (whole.x0, whole.x1) if side in ("south", "north") else (whole.y0, whole.y1)
     at, clear = [low], []
     for a, b in spans:
@@ -78,7 +79,7 @@ def _spans(rooms: Sequence[HomeRoom], side: Side) -> list[tuple[float, float]]:
         elif best >= 0:
             found.append([float(a), float(b)])
         before = best
-    return [(a, b) for a, b in found if b - a > 0.05]
+    return [(a, b) for a, b in found]
 
 
 def draw_dimensions(plan: Plan, home: Home, storey: str, whole: Bounds, bare: Bounds) -> None:

@@ -25,32 +25,45 @@ from ..probe import object_mesh
 from ..tracing import Lights, Quality, Tracer, interior_lights
 from ..tracing.lights import portals_of
 from ..tracing.rays import Triangles
-from ..viewpoints import walk_camera
+from ..viewpoints import onward_camera, walk_camera
 from . import shell
 
 _LOOK = (480, 360)  # pixels of the look that says what of other rooms is seen
 _LEAST_SEEN = 40  # of these, from which on a room counts as seen
+_INNER = 2.6  # how much brighter lamps are seen from a room without windows
 _CELL = 0.15  # side of the cells in which light is gathered [m]
 
 
 @dataclass(frozen=True)
 class Stop:
-    """A stop on a walk: the room that is looked at, the door by which it is entered (None: the first one, or by a
-    stair), and the room before it."""
+    """A stop on a walk.
+
+    Attributes:
+        room: Where it is.
+        door: By which that room is entered; None: it is the first one, or one comes by a stair.
+        before: The room from which one comes.
+        onward: A door through which one looks on, and the room behind it; None: the room itself is looked at.
+    """
 
     room: str
     door: str | None = None
     before: str | None = None
+    onward: tuple[str, str] | None = None
 
     def caption(self, titles: Mapping[str, str]) -> str:
         """What its picture shows, in words by the titles of rooms: "Kitchen, from the hall"."""
+        if self.onward is not None:
+            return f"{titles[self.room]}, to the {titles[self.onward[1]].lower()}"
         if self.before is not None:
             return f"{titles[self.room]}, from the {titles[self.before].lower()}"
         return f"{titles[self.room]}, from the entrance" if self.door is not None else titles[self.room]
 
 
 def walk_order(home: Home) -> list[Stop]:
-    """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one."""
+    """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one.
+
+    From a room through which the walk goes on one looks through the first of the doors that it takes.
+    """
     graph, found, seen = home.graph(), [], set()
     doors = {door.id for door in home.doors}
     entrances = [Stop(door.room, door.id) for door in home.entrances]
@@ -61,7 +74,11 @@ def walk_order(home: Home) -> list[Stop]:
             return
         seen.add(stop.room)
         found.append(stop)
+        looked = False
         for room, by in sorted(graph[stop.room], key=lambda way: way[1] not in doors):  # stairs last
+            if not looked and by in doors and room not in seen and not home.room(room).outdoor:
+                looked = True
+                found.append(replace(stop, onward=(by, room)))
             visit(Stop(room, by if by in doors else None, stop.room))
 
     for begin in begins:
@@ -91,21 +108,22 @@ class Walk:
     def camera(self, number: int) -> Camera:
         """From where a stop looks."""
         stop = self.stops[number]
-        room = self.home.room(stop.room)
-        return walk_camera(shell.scene_of(self.home, room), self._aspect, stop.door, self._passable(stop.room))
+        scene = shell.scene_of(self.home, self.home.room(stop.room))
+        found = onward_camera(scene, self._aspect, stop.onward[0]) if stop.onward is not None else None
+        return found or walk_camera(scene, self._aspect, stop.door, self._passable(stop.room))
 
     def picture(self, number: int, width: int, height: int, quality: Quality | None = None) -> Image.Image:
         """The view of a stop, in any size of the aspect."""
         room, camera = self.home.room(self.stops[number].room), self.camera(number)
-        near = self._near(room, camera)
-        building = list(self._building(room, near, camera))
-        seen = _seen(near, building, camera)
-        near = [one for one in near if one.id in seen or one is room]
+        near = self.near(room, camera)
+        building = list(self.building(room, near, camera))
+        shown_of = seen(near, building, camera)
+        near = [one for one in near if one.id in shown_of or one is room]
         meshes = [*building, *self._trim(near)]
         instances = [Instance(mesh, np.eye(4)) for mesh in meshes]
         for one in near:
             if one.scene is not None:
-                shown = tuple(o for o in one.scene.objects if one is room or o.id in seen[one.id])
+                shown = tuple(o for o in one.scene.objects if one is room or o.id in shown_of[one.id])
                 instances += instances_of(one.scene.model_copy(update={"objects": shown}), self._load)
         outside = self._world(room.storey)
         if outside is not None:
@@ -119,7 +137,7 @@ class Walk:
         """The doors of a room that stand open: those to other rooms."""
         return {door.id for door in self.home.doors_of(room) if door.to is not None}
 
-    def _near(self, room: HomeRoom, camera: Camera) -> list[HomeRoom]:
+    def near(self, room: HomeRoom, camera: Camera) -> list[HomeRoom]:
         """The room, those behind its doors that are before the camera or around it, and those open to these."""
         found = {room.id: room}
         for door in self.home.doors_of(room.id):
@@ -144,7 +162,7 @@ class Walk:
         own = next(d for d in shape.doors if d.id == door.id)
         return shape.walls[own.wall], (own.offset, own.width)
 
-    def _building(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
+    def building(self, room: HomeRoom, near: list[HomeRoom], camera: Camera) -> Iterator[Mesh]:
         """Walls, floors, doors, windows, stairs and ceilings; doors between the rooms that may be seen stand open."""
         home, storey, looks = self.home, room.storey, self._looks
         here = {one.id for one in near}
@@ -190,6 +208,8 @@ class Walk:
         reach = 2 * self.home.walls.inner
         (x0, y0), (x1, y1) = points.min(axis=0) - reach, points.max(axis=0) + reach
         box = ((float(x0), float(y0), -0.3), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
+        if not lit[0].room.windows:  # else an eye that is used to its lamps sees all beyond the doors too bright
+            light = replace(light, lamp_flux=_INNER * light.lamp_flux)
         return replace(light, portals=tuple(p for scene in lit for p in portals_of(scene.room)), room=box, cell=_CELL)
 
     def _with_glass(self, room: HomeRoom) -> Scene:
@@ -198,7 +218,7 @@ class Walk:
         return scene.model_copy(update={"room": scene.room.model_copy(update={"windows": windows})})
 
 
-def _seen(rooms: list[HomeRoom], building: list[Mesh], camera: Camera) -> dict[str, set[str]]:
+def seen(rooms: list[HomeRoom], building: list[Mesh], camera: Camera) -> dict[str, set[str]]:
     """Of each room of which something is seen, the ids of the objects that are."""
     pieces = [(mesh.vertices, mesh.faces) for mesh in building]
     owners: list[tuple[str, str] | None] = [None] * len(pieces)

@@ -152,7 +152,7 @@ async function start() {
     select(null);
     const items = scope.items.map((k) => renderer.all[k]);
     renderer.show(scope.room, scope.walls, items);
-    orbit.show(scope.room, scope.yaw);
+    orbit.show(scope.room, scope.yaw, scope.pitch);
     panel.only(new Set(items.filter((item) => item.kind === "object").map((item) => item.id)));
     for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.scope === id));
     doors.hidden = !renderer.moving().length;

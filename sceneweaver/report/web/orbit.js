@@ -12,10 +12,10 @@ class Orbit {
     Object.assign(this, this.fit(this.home.yaw, this.home.pitch));
   }
 
-  // Circles another room, from its best side.
-  show(room, yaw) {
+  // Circles another room, at first from a direction.
+  show(room, yaw, pitch) {
     this.room = room;
-    this.home = { yaw, pitch: 0.62 };
+    this.home = { yaw, pitch };
     this.goal = null;
     this.moved = false;
     Object.assign(this, this.fit(yaw, this.home.pitch));

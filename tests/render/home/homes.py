@@ -19,7 +19,7 @@ def furnished(home: Home, room: str, *things: tuple[str, str]) -> Home:
     building = sw.build(home.shell(room), name=room)
     for words, against in things:
         building.add(words, against=against)
-    scene = sw.refine(building.scene(), candidates=8, seed=1, device="cpu").scene
+    scene = sw.refine(building.scene(), candidates=8, seed=1, device="cpu").best
     return home.with_scene(room, scene)
 
 
