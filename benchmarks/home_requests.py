@@ -58,7 +58,8 @@ _KINDS = {
 """Types of a plan that a word of the data means; others mean themselves."""
 
 _NOUNS = {
-    "examination_room": ("exam", "triage"),
+    "examination_room": ("exam",),
+    "triage_room": ("triage",),
     "seminar_room": ("seminar",),
     "computer_lab": ("computer",),
     "study_hall": ("study",),

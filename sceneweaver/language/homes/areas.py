@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection, Mapping
 
 from sceneweaver.language.vocabulary import NUMBERS
-from sceneweaver.plans import room_type
+from sceneweaver.plans import Programme, RoomSpec, room_type
 
 from .lexicon import data
 from .parts import Reading
@@ -14,10 +15,13 @@ from .resolve import Room
 SPREAD = (0.85, 1.25)
 """Least and most floor by the target, for a room whose size is said in words or follows from people."""
 
+CLEARLY = 1.1
+"""Factor on its usual floor from which on a room is big, and under whose inverse it is small."""
+
 EXACT = 0.05
 """Share by which a room may be off an area that is said."""
 
-FITS = (0.7, 1.6)
+FITS = (0.65, 2.0)
 """Factors between which usual areas are fitted to the area of the home."""
 
 _NUMBER = re.compile(r"\b(\d{1,3}|" + "|".join(word for word, n in NUMBERS.items() if 1 < n < 100) + r")\b")
@@ -29,7 +33,7 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
     for room in rooms:
         least, usual, most = room_type(room.type).area
         told = next((one.area for one in room.named if one.area is not None), None)
-        size = next((one.size for one in reversed(room.named) if one.size is not None), None)
+        size = _size(room)
         people = _people(room)
         if told is not None:
             low, high = told
@@ -46,12 +50,62 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
         usual = round(usual * (size or 1.0) * reading.scale, 1)
         if usual != room_type(room.type).area[1]:
             room.area = (round(usual * SPREAD[0], 1), usual, round(max(usual * SPREAD[1], usual + 1), 1))
+            room.area = _as_said(room, size, room.area)
         else:
             room.area = (least, usual, most)
         free.append(room)
     if reading.area is None:
         return []
     return _fitted(reading, rooms, free)
+
+
+def balanced(programme: Programme, told: Collection[str]) -> Programme:
+    """A programme of several storeys whose rooms fill each of them: all storeys have the outline of the largest.
+
+    Args:
+        programme: as it was asked for.
+        told: ids of rooms whose area was said, which keep it.
+    """
+    if programme.storeys == 1:
+        return programme
+    placed = _spread(programme)
+    floors = _floors(programme, placed)
+    usual = {room.id: room.storey for room in programme.with_storeys().rooms}
+    moved = {name: storey for name, storey in placed.items() if storey != usual[name]}
+    rooms: list[RoomSpec] = []
+    for room in programme.rooms:
+        factor = max(floors) / max(floors[placed[room.id] or 0], 1.0)
+        if room.id in told or factor < 1.0 + EXACT or "outdoor" in room.kind.roles:
+            rooms.append(room.model_copy(update={"storey": moved.get(room.id, room.storey)}))
+            continue
+        least, target, most = room.area
+        new = round(min(target * factor, max(room.kind.area[2], target)), 1)
+        area = (least, new, round(max(most, new * SPREAD[1]), 1))
+        rooms.append(room.model_copy(update={"area": area, "storey": moved.get(room.id, room.storey)}))
+    return programme.model_copy(update={"rooms": tuple(rooms)})
+
+
+def _floors(programme: Programme, placed: Mapping[str, int]) -> list[float]:
+    """Floor of the rooms of each storey [m2]."""
+    indoors = [room for room in programme.rooms if "outdoor" not in room.kind.roles]
+    return [sum(r.area[1] for r in indoors if placed[r.id] == s) for s in range(programme.storeys)]
+
+
+def _spread(programme: Programme) -> dict[str, int]:
+    """The storey of each room: as usual, but with bedrooms of which no storey is told moved, with their bathrooms, to
+    where there is least, as long as that makes storeys more alike."""
+    placed = {room.id: room.storey or 0 for room in programme.with_storeys().rooms}
+    doors = [(x.a, x.b) for x in programme.adjacencies if x.kind in ("door", "open")]
+    movable = [r for r in programme.rooms if r.storey is None and "sleeping" in r.kind.roles]
+    for room in reversed(movable):
+        with_it = [room.id, *(b if a == room.id else a for a, b in doors if room.id in (a, b))]
+        suite = [r for r in programme.rooms if r.id in with_it]
+        floors = _floors(programme, placed)
+        high, low = floors.index(max(floors)), floors.index(min(floors))
+        fits = placed[room.id] == high and all(r.storey is None for r in suite)
+        if fits and floors[high] - floors[low] > 1.2 * sum(r.area[1] for r in suite):
+            placed |= dict.fromkeys((r.id for r in suite), low)
+    return placed
 
 
 def _people(room: Room) -> int | None:
@@ -62,6 +116,23 @@ def _people(room: Room) -> int | None:
             if found is not None and re.match(r"(for|of|seats|seating|where)\b", words):
                 return int(found[1]) if found[1].isdigit() else NUMBERS[found[1]]
     return None
+
+
+def _size(room: Room) -> float | None:
+    """The factor of the word for its size that is said last."""
+    return next((one.size for one in reversed(room.named) if one.size is not None), None)
+
+
+def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A big room is above its usual floor, a small one below, also where the home has much or little of it."""
+    usual = room_type(room.type).area[1]
+    least, target, most = area
+    if size is not None and size > 1.0:
+        least = round(usual * CLEARLY, 1)
+    elif size is not None and size < 1.0:
+        most = round(usual / CLEARLY, 1)
+    target = min(max(target, least), max(most, least))
+    return min(least, most), round(min(target, max(most, least)), 1), max(most, least)
 
 
 def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
@@ -85,6 +156,7 @@ def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
             new,
             round(max(new * SPREAD[1], new + 1), 1),
         )
+        room.area = _as_said(room, _size(room), room.area)
     total = fixed + sum(room.area[1] for room in open_ if room.area)
     if abs(total - asked) > 0.06 * asked:
         return [f"{asked:g} m2 do not fit {len(indoors)} rooms of usual size: they have {total:.0f} m2 together"]

@@ -8,6 +8,7 @@ from sceneweaver.knowledge.load import room_words
 
 from .households import people_told
 from .lexicon import data
+from .mentions import is_thing
 from .parts import Named
 from .read import read_parts
 from .tokens import Token, spoken
@@ -58,7 +59,8 @@ def is_home(request: str) -> bool:
         return sure >= FEWEST or (sure >= 1 and sum(one.count or 2 for one in rooms) > LISTED)
     if any(token.done == "storeys" and reading.storeys for token in reading.tokens) and sure:
         return True
-    return _is_list(reading.tokens, rooms) and sure >= LISTED and len({one.kind.name for one in rooms}) > 1
+    several = sure >= LISTED and len({one.kind.name for one in rooms}) > 1
+    return several and (_is_list(reading.tokens, rooms) or _is_unknown_place(reading.tokens, rooms))
 
 
 def _is_one_kind(tokens: tuple[Token, ...], at: int) -> bool:
@@ -110,6 +112,22 @@ def _beside(tokens: tuple[Token, ...], one: Named) -> bool:
     if before and before[-1] in ("to", "into", "from", "towards", "toward", "of", "in", "like", "outside"):
         return True
     return one.definite and not one.told and not any(t in ("with", "and", ",") for t in before[-1:])
+
+
+def _is_unknown_place(tokens: tuple[Token, ...], rooms: list[Named]) -> bool:
+    """Whether the request begins with a place that nobody knows, which has rooms: "a donation centre with ..."."""
+    first = min(one.first for one in rooms)
+    before = [t for t in tokens[:first] if not t.has("function", "soft", "size", "number")]
+    tie = tokens[first - 1] if first else None
+    if (
+        tie is None
+        or tie.text not in ("with", ":")
+        and tokens[first - 2].text != "with"
+        or any(t.breaks for t in before[:-1])
+    ):
+        return False
+    heads = [t for t in before if not t.breaks]
+    return bool(heads) and not any(t.has("room", "known_room") or is_thing(t) for t in heads)
 
 
 def _is_list(tokens: tuple[Token, ...], rooms: list[Named]) -> bool:

@@ -23,7 +23,7 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     least = 1 + max([level[s] for s in told if s in level], default=0)
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
-    if asked is None and any(s == "ground" for s in told) and reading.use.plan == "house":
+    if asked is None and (reading.share_ground or "ground" in told) and reading.use.plan == "house":
         upper = True
     count = max(asked or 1, least, 2 if upper and not reading.one_storey else 1)
     if (
@@ -60,13 +60,24 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
                 elif placed.get(b) is None and placed.get(a) is not None:
                     placed[b] = placed[a]
     living = ("living_room", "kitchen", "living_kitchen", "living_dining", "kitchen_diner", "dining_room")
-    lowest = 0
     if reading.share_ground:
-        for room in rooms:
-            if room.type in living and placed.get(room.id) is None:
-                placed[room.id] = lowest
+        placed |= {room.id: 0 for room in rooms if room.type in living and placed.get(room.id) is None}
+    _bathrooms(reading, rooms, count, placed)
     said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
     return said
+
+
+def _bathrooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> None:
+    """Bathrooms that all share lie where bedrooms are: the first upstairs, one on each storey as far as they go."""
+    if reading.use.plan != "house":
+        return
+    shared = [r for r in rooms if r.counts_as("bathroom") and not any(one.per is not None for one in r.named)]
+    shared = [r for r in shared if r.kind.name != "ensuite"]
+    taken = {placed[r.id] for r in shared if placed.get(r.id) is not None}
+    beds = {placed.get(r.id) for r in rooms if bedroomlike(r.kind)}
+    free = [s for s in (*range(1, count), 0) if s not in taken and (None in beds or s in beds)]
+    for room, storey in zip([r for r in shared if placed.get(r.id) is None], free, strict=False):
+        placed[room.id] = storey
 
 
 def pairs_of(joint: Joint) -> list[tuple[str, str]]:
@@ -112,9 +123,14 @@ def joined(
         for a, b in pairs:
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
-                hard = joint.kind in ("door", "open") and joint.hard
+                hard = joint.kind in ("door", "open") and joint.hard and _may_join(a, b, rooms)
                 found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
     return list(found.values()), asked
+
+
+def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
+    """Whether a door between two rooms may be the way to one of them; else it is one door more than they need."""
+    return any(room_type(room.type).transit != "none" for room in rooms if room.id in (a, b))
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:
@@ -164,6 +180,7 @@ def programme_of(
             id=room.id,
             type=room.type,
             area=room.area or room_type(room.type).area,
+            side=next((one.side for one in room.named if one.side is not None), None),
             storey=placed.get(room.id),
             daylight=daylight.get(room.id),
         )

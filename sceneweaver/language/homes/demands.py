@@ -8,6 +8,7 @@ from typing import Literal
 from sceneweaver.home import Home, HomeRoom
 from sceneweaver.plans import room_types
 
+from .areas import CLEARLY
 from .measured import WALL, MeasuredHome
 from .model import HomeDemand, HomeRequest, JointAsked
 
@@ -78,7 +79,9 @@ def _group(type_: str) -> str:
     roles = room_types()[type_].roles if type_ in room_types() else frozenset[str]()
     if "sleeping" in roles and "care" not in roles and type_ not in ("dormitory", "studio_apartment"):
         return "sleeping"
-    if "sanitary" in roles and type_ not in ("guest_toilet", "washroom", "accessible_toilet"):
+    if type_ in ("guest_toilet", "washroom", "accessible_toilet"):
+        return "toilet"
+    if "sanitary" in roles:
         return "bathing"
     return type_
 
@@ -109,7 +112,7 @@ def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
             yield HomeDemand(
                 "room_area",
                 f"{room.id}: {room.size}",
-                _status(more >= 1.15, more >= 1.0),
+                _status(more >= CLEARLY - 0.01, more >= 1.0),
                 f"{area:.1f} m2, usual are {usual:g}",
             )
 

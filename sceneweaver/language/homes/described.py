@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sceneweaver.language.vocabulary import vocabulary
 
+from .lexicon import activities
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -26,7 +27,7 @@ _LOOK_KINDS = (
 def read_before(reading: Reading, found: Named) -> None:
     """What stands before the name of a room: how many, how large, what it is like."""
     tokens = reading.tokens
-    k, strange = found.first - 1, 0
+    k, strange, own = found.first - 1, 0, False
     while k >= 0:
         token = tokens[k]
         if (
@@ -57,6 +58,7 @@ def read_before(reading: Reading, found: Named) -> None:
             found.all = True
         elif token.has("own", "soft"):
             found.open = found.open or token.text == "open"
+            own = own or token.text == "own"
             if token.has("vague") and is_look(token):
                 found.looks.insert(0, token.text)
             elif token.has("vague"):
@@ -67,6 +69,10 @@ def read_before(reading: Reading, found: Named) -> None:
             if not (token.text.endswith(("'s", "s'")) or token.text in ("guest", "staff")):
                 break
             found.definite = found.definite or not found.told
+        elif token.text.endswith("'s") and not token.kinds:
+            found.definite = found.definite or not found.told
+        elif token.text in activities() and k == found.at - 1:
+            pass
         elif is_look(token) and strange < 3:
             found.looks.insert(0, token.text)
             strange += 1
@@ -74,6 +80,8 @@ def read_before(reading: Reading, found: Named) -> None:
             break
         found.first = k
         k -= 1
+    if own and not found.told and not tokens[found.at].plural:
+        found.count, found.told = 1, "article"  # "its own bathroom" is one more
 
 
 def is_look(token: Token) -> bool:

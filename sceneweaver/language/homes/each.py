@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .households import count_before, in_singular, number_done
+import math
+
+from .households import count_before, in_singular, number_done, people_told
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -10,6 +12,7 @@ from .tokens import Token
 def read_each(reading: Reading) -> None:
     """ "Each couple needs a bedroom", "three doctors with a consulting room each": as many rooms as people."""
     tokens = reading.tokens
+    _for_every(reading)
     for at, token in enumerate(tokens):
         if token.text not in ("each", "every", "everyone", "everybody", "for each", "per"):
             continue
@@ -41,6 +44,22 @@ def read_each(reading: Reading) -> None:
             reading.did(at, "people")
             if who:
                 reading.did(at + 1, "people")
+
+
+def _for_every(reading: Reading) -> None:
+    """ "A bathroom for every two of them": so many rooms as make that of all who live or work there."""
+    tokens = reading.tokens
+    people = people_told(reading) or reading.household or reading.workers
+    for at, token in enumerate(tokens[:-1]):
+        number = tokens[at + 1].get("number")
+        room = next((one for one in reversed(reading.named) if one.last < at), None)
+        if token.text not in ("every", "per", "each") or not number or not people or room is None:
+            continue
+        if [t.text for t in tokens[room.last + 1 : at]] in ([], ["for"]) and room.told in ("article", ""):
+            room.times = math.ceil(people / number)
+            for k in range(room.last + 1, min(at + 4, len(tokens))):
+                if not tokens[k].breaks:
+                    reading.did(k, "people")
 
 
 def _drop(reading: Reading, pronoun: Named | None) -> None:

@@ -73,6 +73,8 @@ def _place(reading: Reading, sentence: range) -> None:
             or before.text in ("and", "with", "the", "then")
             and (after is not None and not after.breaks and after.text != "and")
         )
+        if after is None or after.breaks and after.text != ":":
+            lead = False  # "..., ground floor, ..."
         behind = [one for one in names if one.at > k]
         ahead = [one for one in names if one.at < k]
         until = words[number + 1] if number + 1 < len(words) else sentence.stop

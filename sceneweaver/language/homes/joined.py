@@ -77,10 +77,13 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
     """A word for what rooms are to each other, with the rooms on both of its sides."""
     token = reading.tokens[at]
     left = _before(names, at)
+    if kind == "together":
+        _together(reading, names, at)
+        return
     if left is None or _something_between(reading, left, at):
         return
-    if kind in ("opposite_ends", "together"):
-        _alone(reading, names, at, kind, left)
+    if kind == "opposite_ends":
+        _opposite(reading, names, at, left)
         return
     if kind == "with_own":
         _with(reading, names, sentence, at)
@@ -111,31 +114,45 @@ def _something_between(reading: Reading, left: Named, at: int) -> bool:
     return bool(breaks) and any(not t.kinds or t.has("place") for t in gap[breaks[-1] + 1 :])
 
 
-def _alone(reading: Reading, names: dict[int, Named], at: int, kind: str, left: Named) -> None:
-    """ "Kitchen and living room in one", "two bedrooms at opposite ends"."""
-    token = reading.tokens[at]
-    others: list[Named] = []
-    for one in sorted(names.values(), key=lambda n: -n.at):  # the list that ends with the last room
-        if one.at < left.at and one.of is None and (others[-1] if others else left).first - one.last <= 2:
-            others.append(one)
-    others.reverse()
-    if kind == "together":
-        after = _after(names, at)
-        pair: tuple[Named, Named] | None = None
-        if pair is None and after is not None and after.first - at <= 2:
-            follows = [one for k, one in sorted(names.items()) if k > after.at and one.first - after.last <= 2]
-            pair = (after, follows[0]) if follows else None
-        chain = [*others, left] if others else list(pair or ())
-        for one, two in zip(chain, chain[1:], strict=False):
-            reading.joints.append(Joint(one, two, "open", token.span))
-            reading.did(at, "joint")
-        return
-    reading.joints.append(
-        Joint(left, left, "apart", token.span)
-        if not others or left.count != 1
-        else Joint(others[-1], left, "apart", token.span)
-    )
+def _together(reading: Reading, names: dict[int, Named], at: int) -> None:
+    """ "Open-plan kitchen and living room", or "kitchen, dining and living room in one": open to each other."""
+    tokens = reading.tokens
+    after = _after(names, at)
+    chain: list[Named] = []
+    if after is not None and after.first - at <= 2 and not any(t.breaks for t in tokens[at + 1 : after.first]):
+        chain = [after, *_list_from(names, after)[:1]]
+    left = _before(names, at)
+    if len(chain) < 2 and left is not None and not any(t.breaks for t in tokens[left.last + 1 : at]):
+        chain = [*_list_to(names, left), left]
+    for one, two in zip(chain, chain[1:], strict=False):
+        reading.joints.append(Joint(one, two, "open", tokens[at].span))
+        reading.did(at, "joint")
+
+
+def _opposite(reading: Reading, names: dict[int, Named], at: int, left: Named) -> None:
+    """ "Two bedrooms at opposite ends": apart from each other."""
+    others = _list_to(names, left)
+    other = others[-1] if others and left.count == 1 else left
+    reading.joints.append(Joint(other, left, "apart", reading.tokens[at].span))
     reading.did(at, "joint")
+
+
+def _list_to(names: dict[int, Named], last: Named) -> list[Named]:
+    """The rooms of the list that ends with one."""
+    found = [last]
+    for one in sorted(names.values(), key=lambda n: -n.at):
+        if one.at < found[-1].at and one.of is None and found[-1].first - one.last <= 2:
+            found.append(one)
+    return found[:0:-1]
+
+
+def _list_from(names: dict[int, Named], first: Named) -> list[Named]:
+    """The rooms of the list that begins with one, without it."""
+    found = [first]
+    for one in sorted(names.values(), key=lambda n: n.at):
+        if one.at > found[-1].at and one.of is None and one.first - found[-1].last <= 2:
+            found.append(one)
+    return found[1:]
 
 
 def _between(reading: Reading, names: dict[int, Named], sentence: range, at: int, left: Named) -> None:
@@ -201,12 +218,17 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
             follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
         )
         many = whole.count is None or whole.count > 1
-        own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
+        private = tokens[at].has("joint") or any(
+            t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at]
+        )
+        own = private or one.kind.name == "ensuite"
         each = (
             left.of is not None
             and left.count is None
             or any(t.text in PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
         )
+        if private and not one.told and not tokens[one.at].plural:
+            one.count, one.told = 1, "article"  # "its own bathroom" is one more
         if not own and not each and many and _is_of_use(reading, whole):
             continue  # "a flat of three bedrooms with a kitchen"
         if many and (own or each) and (one.told != "number" or one.count == 1):
@@ -294,6 +316,8 @@ def _behind(reading: Reading, names: dict[int, Named], sentence: range, at: int)
             return str(token.get("place"))
         if token.has("them", "each") and token.text not in ("the rooms",):
             return ""
+        if token.get("number") is not None and (k + 1 == sentence.stop or tokens[k + 1].breaks):
+            return ""  # "between the two"
         if any(one.first == k for one in reading.named):
             return ""
         if not (token.text in _GAP or token.has("own", "soft", "size")) or token.breaks:

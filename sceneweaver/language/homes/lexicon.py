@@ -142,6 +142,12 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
     return found
 
 
+@cache
+def activities() -> Mapping[str, str]:
+    """What is done in rooms, with the kind of room that it makes."""
+    return {plain(name): kind for kind, names in data("words")["activities"].items() for name in names}
+
+
 def known(phrase: str) -> tuple[Mapping[str, Any], bool] | None:
     """What a phrase may mean, and whether it is a plural; None where no list has it."""
     table = phrases()

@@ -104,7 +104,7 @@ class MeasuredHome:
 
     def turns(self, room: HomeRoom) -> bool:
         """Whether a wheelchair can turn on the clear floor."""
-        return not self.outlines[room.id].buffer(-TURN / 2 + 1e-6).is_empty
+        return not self.outlines[room.id].buffer(-TURN / 2 + 5e-4).is_empty
 
     def lit(self, room: HomeRoom) -> bool:
         """Whether a room has a window."""

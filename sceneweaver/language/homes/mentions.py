@@ -11,9 +11,15 @@ from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.plans import room_types as plan_types
 
 from .described import read_before, read_behind
-from .lexicon import RoomKind, data, plain, room_kinds
+from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
 from .tokens import Token
+
+_PLACES = ("places", "seats", "beds", "couches")
+"""What is counted in one room: "twelve recovery places"."""
+
+MANY = 5
+"""People from which on a room of an office is one for a team."""
 
 _BEDS = ("bed", "beds", "bd", "br", "bhk", "bedroomed", "bedder")
 _LISTED = (
@@ -65,6 +71,8 @@ def read_mentions(reading: Reading) -> None:
         kind = _kind(reading, at)
         if kind is not None:
             reading.named.append(_named(reading, at, kind))
+        elif token.text == "one" and (other := _another(reading, at)) is not None:
+            reading.named.append(other)
         elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
     _en_suites(reading)
@@ -92,7 +100,7 @@ def _total(reading: Reading, at: int) -> Named | None:
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     glued = tokens[at - 1].glued
     leads = after is not None and (
-        after.has("use") or after.get("number") is not None or after.text in ("place", "unit")
+        after.has("use", "storey") or after.get("number") is not None or after.text in ("place", "unit")
     )
     behind = tokens[at + 2] if at + 2 < len(tokens) else None
     if (
@@ -116,6 +124,26 @@ def _total(reading: Reading, at: int) -> Named | None:
     if rooms:
         reading.notes.append(f"{int(number)} rooms were counted as a living room and {count} to sleep in")
     return Named(room_kinds()["bedroom"], at, at - 1, at, span, count, "total")
+
+
+def _another(reading: Reading, at: int) -> Named | None:
+    """ "Two small meeting rooms, a large one": one more of the kind."""
+    tokens = reading.tokens
+    last = reading.named[-1] if reading.named else None
+    if (
+        last is None
+        or at < 2
+        or not tokens[at - 1].has("size", "own")
+        or tokens[at - 2].text not in ("a", "an", "another")
+    ):
+        return None
+    found = Named(
+        last.kind, at, at - 2, at, _over(tokens[at - 2], tokens[at]), 1, "number", noun=last.noun, said=last.said
+    )
+    found.size = tokens[at - 1].get("size")
+    for k in range(at - 2, at + 1):
+        reading.did(k, "rooms")
+    return found
 
 
 def _sleeper(reading: Reading, at: int) -> Named | None:
@@ -161,11 +189,13 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if (
         single in _LISTED
         and meant is None
-        and not (after is None or after.breaks or after.has("joint") or after.text in _BEHIND_LIST)
+        and not (after is None or after.breaks or after.has("joint") or after.text in (*_BEHIND_LIST, *_PLACES))
     ):
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
+    if single == "room" and (done := _by_activity(reading, at)) is not None:
+        return done
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
         if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
@@ -180,10 +210,35 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     return known_room(token.get("known_room"), single)
 
 
+def _by_activity(reading: Reading, at: int) -> RoomKind | None:
+    """A room by what is done in it: "one big room for cooking, eating and sitting", "a homework room"."""
+    tokens = reading.tokens
+    if at and tokens[at - 1].text in activities():
+        return room_kinds()[activities()[tokens[at - 1].text]]
+    if at + 2 >= len(tokens) or tokens[at + 1].text not in ("for", "to", "where"):
+        return None
+    if reading.use.plan == "office" and reading.use.name != "school" and (tokens[at + 2].number or 0) >= MANY:
+        return room_kinds()["open_office"]
+    found: list[str] = []
+    for k in range(at + 2, min(at + 12, len(tokens))):
+        if tokens[k].text in activities():
+            found.append(activities()[tokens[k].text])
+            reading.did(k, "rooms")
+        elif not (tokens[k].text in (",", "and", "or", "&") or tokens[k].has("function", "we", "me")):
+            break
+    if not found:
+        return None
+    if "kitchen" in found and len(found) > 1:
+        return room_kinds()["living_kitchen"]
+    return room_kinds()["living_dining" if {"dining_room", "living_room"} <= {*found} else found[0]]
+
+
 def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
+    if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
+        return False
     if single == "room":
         own = before is not None and before.has("own")
         told = before is not None and (
@@ -246,6 +301,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     read_behind(reading, found)
     first, last = tokens[found.first], tokens[found.last]
     found.span = _over(first, last)
+    _places_in(reading, found)
     if found.told == "" and not token.plural:
         found.count = 1
     if said in ("desk", "hot desk"):  # places to work in one room
@@ -254,6 +310,18 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found
+
+
+def _places_in(reading: Reading, found: Named) -> None:
+    """ "Twelve recovery places": one room for so many."""
+    k = found.last + 1
+    if k >= len(reading.tokens) or found.told != "number" or found.last != found.at:
+        return
+    if reading.tokens[k].text in _PLACES:
+        words = reading.tokens[found.first : found.at]
+        number = next((t.text for t in words if t.get("number") is not None), "")
+        found.wishes.append(f"for {number}")
+        found.count, found.told, found.last = 1, "article", k
 
 
 def _noun(kind: RoomKind, said: str) -> str:

@@ -34,6 +34,7 @@ def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
         said.append(f"{_counted(options[0], count)}: a {reading.use.name.replace('_', ' ')} has it")
     said += _bathrooms(reading, rooms)
     said += _ways(reading, rooms, barred)
+    said += _accessible(reading, rooms)
     return said
 
 
@@ -120,6 +121,22 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     many = max(1, many - len(baths))
     _add(rooms, kind, many)
     return [f"{_counted(kind, many)}: by how many live there"]
+
+
+def _accessible(reading: Reading, rooms: list[Room]) -> list[str]:
+    """One bathroom, or one toilet where there is none, to turn a wheelchair in."""
+    if not reading.accessible or any(room.kind.name.startswith("accessible") for room in rooms):
+        return []
+    for types, kind in (
+        (("bathroom", "wet_room", "kids_bathroom"), "accessible_bathroom"),
+        (("guest_toilet", "washroom"), "accessible_toilet"),
+        (("ensuite",), "accessible_bathroom"),
+    ):
+        room = next((room for room in rooms if room.type in types), None)
+        if room is not None:
+            room.kind = room_kinds()[kind]
+            return [f"{room.id} is one to turn a wheelchair in"]
+    return []
 
 
 def _ways(reading: Reading, rooms: list[Room], barred: set[str]) -> list[str]:

@@ -24,7 +24,8 @@ class Named:
         all: whether it is every one of them.
         of: the rooms that it refers to some of.
         per: the rooms of which each one has its own; times: the people of whom each one has.
-        open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each.
+        open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each,
+            side: least width [m].
         storey: "ground", "upper" ... as it was said.
         noun: what its own request calls it; said: its name in the singular.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
@@ -44,6 +45,7 @@ class Named:
     times: int = 1
     size: float | None = None
     area: tuple[float, float] | None = None
+    side: float | None = None
     equal: bool = False
     open: bool = False
     storey: str | None = None

@@ -10,7 +10,7 @@ from sceneweaver.language.vocabulary import category_of, vocabulary
 from sceneweaver.plans import room_type
 from sceneweaver.plans import room_types as plan_types
 
-from .areas import set_areas
+from .areas import balanced, set_areas
 from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
 from .each import read_each
 from .floors import read_floors
@@ -21,7 +21,7 @@ from .mentions import read_mentions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
 from .parts import Joint, Named, Reading
-from .resolve import Room, resolve
+from .resolve import Room, bedroomlike, resolve
 from .site import read_site
 from .tokens import Spoken, spoken
 from .use_named import use_by_rooms, use_in
@@ -54,13 +54,11 @@ def read_home(request: str) -> HomeRequest:
     notes += set_areas(reading, rooms)
     entrance = entrance_of(reading, rooms, placed)
     _open_kitchen(reading, rooms)
+    _own_baths(reading, rooms)
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
     own = _asked(reading, rooms, placed)
-    counts: dict[str, int] = {}
-    for room in rooms:
-        if not room.assumed:
-            counts[room.type] = counts.get(room.type, 0) + 1
+    programme = balanced(programme, {room.id for room in own if room.area is not None})
     return HomeRequest(
         text=request,
         language=said.language,
@@ -69,7 +67,7 @@ def read_home(request: str) -> HomeRequest:
         profile="accessible" if reading.accessible else "base",
         rooms=tuple(own),
         joints=tuple(joints),
-        counts=tuple(counts.items()),
+        counts=tuple(_counts(reading, rooms).items()),
         people=people_told(reading) or reading.household or reading.workers,
         styles=tuple(dict.fromkeys(reading.styles)),
         area=round(sum(reading.area) / 2, 1) if reading.area else None,
@@ -115,6 +113,18 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     return reading, said
 
 
+def _counts(reading: Reading, rooms: list[Room]) -> dict[str, int]:
+    """How many rooms there are of the types that are named; bedrooms of all who are told to live there."""
+    named = {room.type for room in rooms if not room.assumed}
+    sleeping = any(bedroomlike(room.kind) and room.type in named for room in rooms) or bool(reading.people)
+    found: dict[str, int] = {}
+    for room in rooms:
+        bathing = room.counts_as("bathroom") and any(r.counts_as("bathroom") and r.type in named for r in rooms)
+        if room.type in named or bathing or bedroomlike(room.kind) and sleeping:
+            found[room.type] = found.get(room.type, 0) + 1
+    return found
+
+
 def _open_kitchen(reading: Reading, rooms: list[Room]) -> None:
     """An open kitchen is open to the room where people live, where nothing else is said of it."""
     living = next((room for room in rooms if room.type in ("living_room", "living_dining", "dining_room")), None)
@@ -129,6 +139,18 @@ def _open_kitchen(reading: Reading, rooms: list[Room]) -> None:
         reading.joints.append(Joint(one, there, "open", one.span))
 
 
+def _own_baths(reading: Reading, rooms: list[Room]) -> None:
+    """En-suites that no bedroom is told of belong to those that are there."""
+    beds = [room for room in rooms if bedroomlike(room.kind)]
+    for one in reading.named:
+        if one.kind.name != "ensuite" or not one.ids or any(one in (joint.a, joint.b) for joint in reading.joints):
+            continue
+        ids = [room.id for room in beds[: len(one.ids)]]
+        if ids:
+            there = Named(beds[0].kind, -1, -1, -1, one.span, len(ids), ids=ids)
+            reading.joints.append(Joint(one, there, "door", one.span, each=True))
+
+
 def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]) -> list[RoomAsked]:
     """What each room's own request is to say; things in no room that is named go where such things are."""
     own: dict[str, RoomAsked] = {}
@@ -137,7 +159,9 @@ def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]
         size = next((one.size for one in reversed(named) if one.size is not None), None)
         own[room.id] = RoomAsked(
             id=room.id,
-            noun=next((one.noun for one in reversed(named) if one.noun), room.kind.noun),
+            noun=room.kind.noun
+            if room.kind.name.startswith("accessible")
+            else next((one.noun for one in reversed(named) if one.noun), room.kind.noun),
             said=next((one.said for one in named if one.said), room.kind.noun),
             whose=_whose(reading, room),
             looks=tuple(dict.fromkeys(word for one in named for word in one.looks)),

@@ -90,7 +90,10 @@ def _same(reading: Reading) -> None:
             if once and twin is not None and _other_sentence(reading, twin, one):
                 _become(one, twin, None)
             continue
-        target = next((o for o in reversed(before) if o.of is None and _means(one, o)), None)
+        plural = reading.tokens[one.at].plural and not one.definite
+        target = next(
+            (o for o in reversed(before) if o.of is None and _means(one, o) and not (plural and o.count == 1)), None
+        )
         if target is None and not one.told:
             target = next(
                 (
@@ -107,8 +110,8 @@ def _same(reading: Reading) -> None:
 def _means(one: Named, other: Named) -> bool:
     """Whether a name without a number may mean rooms that were named: "the kitchen" a dining kitchen."""
     if one.kind.name == other.kind.name:
-        own = not bedroomlike(one.kind) and len(one.said.split()) > 1 and len(other.said.split()) > 1
-        return one.kind.noun == other.kind.noun and (one.said == other.said or not own or one.definite)
+        alike = one.said == other.said or one.definite or bedroomlike(one.kind)
+        return one.kind.noun == other.kind.noun and alike
     return one.kind.name in other.kind.counts_as and not (one.kind.name == "bathroom" and not one.definite)
 
 
@@ -141,6 +144,8 @@ def _count_of(reading: Reading, one: Named) -> int:
 def _make(reading: Reading, rooms: list[Room], one: Named, count: int) -> None:
     if count < 0:
         count = max(1, _bedrooms_left(reading, rooms, one))
+        if one.said.split()[:1] in (["double"], ["twin"]):
+            count = (count + 1) // 2
     for _ in range(min(count, 60 - len(rooms))):
         room = Room(new_id(rooms, one.kind.name), one.kind)
         rooms.append(room)

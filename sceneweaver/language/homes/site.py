@@ -56,7 +56,7 @@ def _size(reading: Reading) -> None:
     k = (reading.use_at or 0) - 1
     while k >= 0 and not reading.tokens[k].breaks and (reading.use_at or 0) - k < 5:
         token = reading.tokens[k]
-        if token.has("size") and not token.done:
+        if token.has("size") and not token.done and not token.has("vague"):
             reading.scale = 1.0 + (token.get("size") - 1.0) * WHOLE
             reading.rows.append((token.span, "area", f"rooms of {reading.scale:.0%} of their usual floor"))
             reading.did(k, "area")
@@ -88,6 +88,13 @@ def _length(reading: Reading, at: int) -> None:
     tokens = reading.tokens
     near = tokens[max(0, at - 3) : at + 3]
     token = tokens[at]
+    room = next((one for one in reversed(reading.named) if one.last < at), None)
+    if room is not None and at - room.last <= 4 and not any(t.breaks for t in tokens[room.last : at]):
+        room.root.side = token.get("length")
+        reading.did(at, "rooms")
+        if at + 1 < len(tokens) and tokens[at + 1].has("wide"):
+            reading.did(at + 1, "rooms")
+        return
     deep = any(t.has("deep") for t in tokens[at + 1 : at + 2])
     if not (deep or any(t.has("plot", "wide", "deep") or t.text == "narrow" for t in near)):
         return

@@ -77,6 +77,9 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
     k = at - 1
     while k >= 0 and not tokens[k].breaks and at - k < 6:
         token = tokens[k]
+        if k and tokens[k - 1].glued:
+            k -= 1  # "walk-in health centre"
+            continue
         if token.text == "for":
             return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
         if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
@@ -216,7 +219,7 @@ def _roles() -> frozenset[str]:
 def use_by_rooms(kinds: Sequence[str], storeys: int) -> Use:
     """The use that rooms tell, where none is named: where people sleep or cook they live."""
     types = {room_kinds()[kind].type if kind in room_kinds() else kind for kind in kinds}
-    if types & {"examination_room", "doctors_office", "treatment_room", "waiting_room", "operating_theatre"}:
+    if types & {"examination_room", "doctors_office", "treatment_room", "waiting_room", "operating_theatre", "ward"}:
         return uses()["clinic"]
     if types & {"classroom"}:
         return uses()["school"]
