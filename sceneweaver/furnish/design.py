@@ -262,7 +262,12 @@ class _Run:
             home = None
         assert best is not None
         _, done, programme, plan_report = best
+        bare = done.home.with_changes(rooms=tuple(r.model_copy(update={"scene": None}) for r in done.home.rooms))
+        self._keep_plan(bare, programme, AGAIN)  # a run that is started again takes this one, and no other plan
         done, report = self._walked(done)
+        if self.folder is not None:
+            for name, room in done.rooms.items():
+                self.folder.keep(done.jobs[name], room)
         unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
         failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
         return HomeResult(
@@ -334,11 +339,14 @@ class _Run:
             f"plan {round_ + 1}: {chosen.valid} valid plans, the best of {chosen.distinct} distinct ones has "
             f"{len(chosen.report.soft)} soft rules unmet{short}"
         )
-        if self.folder is not None:
-            self.folder.planned(
-                self._key, chosen.home, programme.dumps(), round=round_, log=self.log, asked=programme.dumps()
-            )
+        self._keep_plan(chosen.home, programme, round_)
         return chosen.home
+
+    def _keep_plan(self, home: Home, programme: Programme, round_: int) -> None:
+        """Write what a run that is cut off goes on from."""
+        if self.folder is not None:
+            asked = programme.dumps()
+            self.folder.planned(self._key, home, asked, round=round_, log=self.log, asked=asked)
 
     def _furnished(self, home: Home, seeds: Mapping[str, int] | None = None) -> FurnishedHome:
         began, left = time.monotonic(), self.limit.left
