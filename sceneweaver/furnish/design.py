@@ -27,7 +27,7 @@ from .deliver import deliver
 from .demands import furnishable, raised
 from .folder import HomeFolder
 from .home import FurnishedHome, furnish_home
-from .jobs import FurnishedRoom
+from .jobs import DRAWS, FurnishedRoom
 from .planning import plan_home
 from .result import HomeResult
 
@@ -61,6 +61,7 @@ def design_home(
     candidates: int | None = None,
     steps: int = 10,
     clutter: float = 0.4,
+    draws: int = DRAWS,
     time_limit: float | str | None = "auto",
     pictures: PictureSet | bool = "full",
     export: str | tuple[str, ...] | list[str] | None = None,
@@ -88,6 +89,7 @@ def design_home(
         candidates: layouts that are refined for each call of a tool in a room; None: by the kind of device.
         steps: steps of the agent in a room at most.
         clutter: how lived-in the rooms look, from 0 to 1.
+        draws: how often each room is furnished; the best is kept.
         time_limit: seconds that all may take, files included; None: as long as it takes; "auto": 600.
         pictures: "full", all of them; "hero", plans and views from above; "none", plans alone and no page. True and
             False mean "full" and "none".
@@ -122,7 +124,7 @@ def design_home(
     limit = Deadline(started + (seconds or math.inf), stop=stop or Stop())
     asked = _Asked.of(prompt, programme, envelope, profile)
     folder = HomeFolder(Path(out)) if out is not None else None
-    rooms = {"steps": steps, "candidates": candidates, "clutter": clutter}
+    rooms = {"steps": steps, "candidates": candidates, "clutter": clutter, "draws": draws}
     run = _Run(asked, seed, device, workers, plans, rooms, limit, folder, said, library)
     with folder.held() if folder is not None else nullcontext():
         result = run.go(started)
@@ -231,6 +233,7 @@ class _Run:
         if home is None:
             self._say(*raises)
         best: tuple[tuple[float, ...], FurnishedHome, Programme, PlanReport] | None = None
+        before = dict[str, tuple[tuple[str, ...], int]]()
         for round_ in range(first, AGAIN + 1):
             if home is None:
                 try:
@@ -248,12 +251,23 @@ class _Run:
             failing = [name for name, room in done.rooms.items() if not room.satisfied and _known(programme, name)]
             if not failing or round_ == AGAIN or self.limit.passed or done.cut_off:
                 break
-            programme, raises = raised(programme, failing)
+            wrong = {name: (done.rooms[name].lacking, len(done.rooms[name].unmet)) for name in failing}
+            helped = [name for name in failing if before.get(name) != wrong[name]]
+            if not helped:
+                self._say(f"more floor does not help {', '.join(failing)}")
+                break
+            before = wrong
+            programme, raises = raised(programme, helped)
             self._say(*raises)
             home = None
         assert best is not None
         _, done, programme, plan_report = best
+        bare = done.home.with_changes(rooms=tuple(r.model_copy(update={"scene": None}) for r in done.home.rooms))
+        self._keep_plan(bare, programme, AGAIN)  # a run that is started again takes this one, and no other plan
         done, report = self._walked(done)
+        if self.folder is not None:
+            for name, room in done.rooms.items():
+                self.folder.keep(done.jobs[name], room)
         unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
         failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
         return HomeResult(
@@ -325,11 +339,14 @@ class _Run:
             f"plan {round_ + 1}: {chosen.valid} valid plans, the best of {chosen.distinct} distinct ones has "
             f"{len(chosen.report.soft)} soft rules unmet{short}"
         )
-        if self.folder is not None:
-            self.folder.planned(
-                self._key, chosen.home, programme.dumps(), round=round_, log=self.log, asked=programme.dumps()
-            )
+        self._keep_plan(chosen.home, programme, round_)
         return chosen.home
+
+    def _keep_plan(self, home: Home, programme: Programme, round_: int) -> None:
+        """Write what a run that is cut off goes on from."""
+        if self.folder is not None:
+            asked = programme.dumps()
+            self.folder.planned(self._key, home, asked, round=round_, log=self.log, asked=asked)
 
     def _furnished(self, home: Home, seeds: Mapping[str, int] | None = None) -> FurnishedHome:
         began, left = time.monotonic(), self.limit.left

@@ -102,6 +102,9 @@ class HomeFolder:
         """Write a room that is done, its scene first; one that was cut off is not kept."""
         if room.scene is None or room.cut_off:
             return
+        there = self.kept(job)
+        if there is not None and there.scene == room.scene:
+            return
         folder = own_folder(self.path / ROOMS / room_folder(job.room_id))
         write_atomic(folder / SCENE, room.scene.dumps(), within=self.path)
         state = {

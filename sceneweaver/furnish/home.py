@@ -19,7 +19,7 @@ from sceneweaver.runtime import processes
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.scene import InputError
 
-from .jobs import FurnishedRoom, RoomJob, furnish_room
+from .jobs import DRAWS, FurnishedRoom, RoomJob, furnish_room
 from .kinds import kind_of
 from .requests import room_requests
 from .scheme import Scheme, is_wet, scheme_of
@@ -86,6 +86,7 @@ def furnish_home(
     prompt: str = "",
     device: str = "cpu",
     workers: int | None = None,
+    draws: int = DRAWS,
     time_limit: float | None = None,
     kept: Kept | None = None,
     said: Said | None = None,
@@ -108,6 +109,7 @@ def furnish_home(
         prompt: the request for the whole home; its style and colours are those of all rooms.
         device: where layouts are computed: "cpu", "cuda" ...
         workers: processes; 1: this one alone, None: one for each core.
+        draws: how often each room is furnished, from other seeds; the best is kept.
         time_limit: seconds that all may take; what is best then is kept. None: as long as it takes.
         kept: finds rooms that were furnished before, of the same job.
         said: called with each room when it is done.
@@ -131,11 +133,13 @@ def furnish_home(
         home.room(name)
     if workers is not None and workers < 1:
         raise InputError(f"workers: {workers} is too few; give at least 1, or leave it out for one a core")
+    if draws < 1:
+        raise InputError(f"draws: {draws} is too few; give at least 1")
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit: {time_limit:g} is no time; give seconds above 0, or leave it out")
     deadline = Deadline(began + (time_limit or math.inf), stop=stop or Stop())
     scheme, jobs = room_jobs(home, requests, seed=seed, prompt=prompt, device=device, **options)
-    jobs = [replace(job, seed=seeds[job.room_id]) if seeds and job.room_id in seeds else job for job in jobs]
+    jobs = [replace(job, seed=(seeds or {}).get(job.room_id, job.seed), draws=draws) for job in jobs]
     done = {job.room_id: room for job in jobs if kept is not None and (room := kept(job)) is not None}
     left = [job for job in jobs if job.room_id not in done]
     if said is not None:

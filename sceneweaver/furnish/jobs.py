@@ -20,6 +20,9 @@ from sceneweaver.verify import Report
 AGAIN = 0x5BD1E995
 """What lies between the seeds of two draws of a room."""
 
+DRAWS = 1
+"""How often a room is furnished where nobody says it; docs/homes.md has what more of them bring."""
+
 LEAST = 2.0
 """Seconds without which a room is not drawn again."""
 
@@ -35,6 +38,7 @@ class RoomJob:
         palette: the look of its furniture; None: as its request says.
         seed: of all that is drawn.
         options: of `sceneweaver.design`: steps, candidates, device, clutter, settle.
+        draws: how often it is furnished, of which the best is kept.
     """
 
     room_id: str
@@ -43,6 +47,7 @@ class RoomJob:
     palette: Palette | None
     seed: int
     options: Mapping[str, Any] = field(default_factory=dict)
+    draws: int = DRAWS
 
     @property
     def key(self) -> dict[str, Any]:
@@ -52,6 +57,7 @@ class RoomJob:
             "shell": self.shell.model_dump(mode="json"),
             "palette": None if self.palette is None else self.palette.model_dump(mode="json"),
             "seed": self.seed,
+            "draws": self.draws,
             "options": {name: value for name, value in self.options.items() if name != "device"},
         }
 
@@ -104,7 +110,8 @@ class FurnishedRoom:
 
 
 def furnish_room(job: RoomJob, seconds: float | None = None, stop: Stop | None = None) -> FurnishedRoom:
-    """Furnish a room; where something has no place, once more from another seed, and the better of both is kept.
+    """Furnish a room so many times as the job says, from other seeds, once more where something has no place, and keep
+    the best.
 
     Args:
         job: the room.
@@ -113,14 +120,14 @@ def furnish_room(job: RoomJob, seconds: float | None = None, stop: Stop | None =
     """
     began, until = time.process_time(), math.inf if seconds is None else time.monotonic() + seconds
     best: FurnishedRoom | None = None
-    for seed in (job.seed, job.seed ^ AGAIN):
+    for draw in range(job.draws + 1):
         left = None if seconds is None else until - time.monotonic()
         if best is not None and (best.cut_off or (left is not None and left < LEAST)):
             break
-        made = _furnished(job, seed, left, stop)
-        best = made if best is None else max(best, made, key=lambda room: room.worth)
-        if best.satisfied:
+        if best is not None and best.satisfied and draw >= job.draws:
             break
+        made = _furnished(job, (job.seed + draw * AGAIN) % 2**32, left, stop)
+        best = made if best is None else max(best, made, key=lambda room: room.worth)
     assert best is not None
     return replace(best, seconds=round(time.process_time() - began, 3))
 

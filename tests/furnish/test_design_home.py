@@ -24,7 +24,16 @@ TINY = Programme.from_graph(
     },
     [("hall", "bed"), ("hall", "store"), ("hall", "wc")],
 )
-FAST = {"plans": 32, "steps": 1, "candidates": 8, "workers": 1, "device": "cpu", "pictures": "none", "export": "none"}
+FAST = {
+    "plans": 32,
+    "steps": 1,
+    "candidates": 8,
+    "draws": 1,
+    "workers": 1,
+    "device": "cpu",
+    "pictures": "none",
+    "export": "none",
+}
 
 
 def test_a_home_in_a_folder(tmp_path: Path) -> None:
@@ -51,11 +60,10 @@ def test_a_home_in_a_folder(tmp_path: Path) -> None:
         sw.design_home(programme=TINY, seed=3, out=tmp_path, **FAST)
 
 
-def _furnished(home: sw.Home, failing: set[str]) -> FurnishedHome:
+def _furnished(home: sw.Home, failing: dict[str, int]) -> FurnishedHome:
     fine = SimpleNamespace(valid=True)
     rooms = {
-        r.id: FurnishedRoom(r.id, "a room", report=fine, unmet=("a bed: no place",) if r.id in failing else ())
-        for r in home.rooms
+        r.id: FurnishedRoom(r.id, "a room", report=fine, unmet=("no place",) * failing.get(r.id, 0)) for r in home.rooms
     }
     return FurnishedHome(home, rooms)
 
@@ -82,13 +90,17 @@ def test_demands_go_back_to_the_plan_at_most_twice(monkeypatch: pytest.MonkeyPat
         return SimpleNamespace(home=_home(), valid=1, distinct=1, lacking={}, report=SimpleNamespace(soft=()))
 
     monkeypatch.setattr(design, "plan_home", planned)
-    monkeypatch.setattr(design, "furnish_home", lambda home, *_, **__: _furnished(home, {"store"}))
+    monkeypatch.setattr(design, "furnish_home", lambda home, *_, **__: _furnished(home, {"store": 4 - len(asked)}))
     result = sw.design_home(programme=TINY, **FAST)
     assert len(asked) == 1 + design.AGAIN and asked == sorted(asked) and asked[0] < asked[1] < asked[2]
     assert sum("had no place" in line for line in result.log) == design.AGAIN
     assert any(text.startswith("store: ") for text in result.unmet)
     asked.clear()
-    monkeypatch.setattr(design, "furnish_home", lambda home, *_, **__: _furnished(home, set()))
+    monkeypatch.setattr(design, "furnish_home", lambda home, *_, **__: _furnished(home, {"store": 1}))
+    stuck = sw.design_home(programme=TINY, **FAST)
+    assert len(asked) == 2 and "more floor does not help store" in stuck.log
+    asked.clear()
+    monkeypatch.setattr(design, "furnish_home", lambda home, *_, **__: _furnished(home, {}))
     sw.design_home(programme=TINY, **FAST)
     assert len(asked) == 1
 
