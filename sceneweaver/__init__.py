@@ -78,6 +78,8 @@ if TYPE_CHECKING:
     from sceneweaver.verify import Report as Report
     from sceneweaver.verify import Violation as Violation
     from sceneweaver.verify import check as check
+    from sceneweaver.verify.home import HomeReport as HomeReport
+    from sceneweaver.verify.home import check_home as check_home
 
     __version__: str
 
@@ -90,6 +92,7 @@ __all__ = [
     "Fault",
     "FurnishedHome",
     "Home",
+    "HomeReport",
     "HomeResult",
     "ImportedHome",
     "ImportedScene",
@@ -123,6 +126,7 @@ __all__ = [
     "build",
     "check",
     "check_gradient",
+    "check_home",
     "compare",
     "compile",
     "define_check",
@@ -163,6 +167,7 @@ _HOME = {
     "Fault": "critic",
     "FurnishedHome": "furnish",
     "Home": "home",
+    "HomeReport": "verify.home",
     "HomeResult": "furnish",
     "ImportedHome": "importers",
     "ImportedScene": "importers",
@@ -195,6 +200,7 @@ _HOME = {
     "build": "building",
     "check": "verify",
     "check_gradient": "extend",
+    "check_home": "verify.home",
     "compare": "evaluation",
     "compile": "layout",
     "define_check": "critic",
