@@ -250,7 +250,7 @@ def _clear(programme: Programme, storey: int) -> float:
 def _facade(programme: Programme, storey: int) -> float:
     """Length of outer walls [m] that the rooms of a storey with daylight need."""
     needy = [room for room in programme.rooms if room.storey == storey and room.needs_daylight]
-    return 1.1 * sum(max(room.side or 0.0, _LEAST_WINDOW_ROOM) + INNER for room in needy)
+    return 1.35 * sum(max(room.side or 0.0, _LEAST_WINDOW_ROOM) + INNER for room in needy)
 
 
 def _clear_length(envelope: Envelope, wall: int) -> float:
