@@ -114,7 +114,27 @@ def home_of(rooms: Sequence[SourceRoom], format_name: str, *, name: str, drawn: 
     free = {door.id for door in home.doors if door.id not in said}
     if free and any(faults_of(home).values()):
         home = home.with_changes(doors=hang(home, free))
+        stuck = {name for name, faults in faults_of(home).items() if faults and name in free}
+        stuck = _sliding(home, stuck)
+        if stuck:
+            notes.append(f"doors that have no room to swing are taken to slide: {', '.join(sorted(stuck))}")
+            slid = {"kind": "sliding", "opens_into": None}
+            doors = [d.model_copy(update=slid) if d.id in stuck else d for d in home.doors]
+            home = home.with_changes(doors=tuple(doors))
     return ImportedHome(home, format_name, tuple(dict.fromkeys(notes)), tuple(rooms))
+
+
+def _sliding(home: Home, stuck: set[str]) -> set[str]:
+    """Of doors whose leaves meet something those that are to slide: one after another, while some still meet."""
+    found: set[str] = set()
+    inner = [d.id for d in home.doors if d.id in stuck and d.to is not None]
+    for name in inner:
+        doors = [
+            d.model_copy(update={"kind": "sliding", "opens_into": None}) if d.id in found else d for d in home.doors
+        ]
+        if faults_of(home.with_changes(doors=tuple(doors))).get(name):
+            found.add(name)
+    return found
 
 
 def _named(rooms: Sequence[SourceRoom], notes: list[str]) -> dict[str, tuple[SourceRoom, str]]:
