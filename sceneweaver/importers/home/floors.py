@@ -210,7 +210,9 @@ def _steps(
     walls: list[tuple[int, float, float, int]] = []
     found: list[tuple[int, int]] = []
     for room, (ring, start) in enumerate(zip(outlines, starts[:-1], strict=True)):
-        for k in range(0 if ring is None else len(ring)):
+        if ring is None:
+            continue
+        for k in range(len(ring)):
             a, b = start + k, start + (k + 1) % len(ring)
             low, high = sorted((float(ring[k, 1 - axis]), float(ring[(k + 1) % len(ring), 1 - axis])))
             if number.get(a) is not None and number.get(a) == number.get(b):
