@@ -95,7 +95,7 @@ def judge(folder: Path, profile: Profile, limit: int | None, repaired: bool) -> 
         if repaired and not report.valid:
             mended = repair_plan(home, profile=profile)
             entry.after = _broken(mended.after)
-            entry.moved = max((abs(move.by) for move in mended.moved), default=0.0)
+            entry.moved = max((abs(m.by) for m in mended.moved if not m.how.startswith("added")), default=0.0)
         found.plans.append(entry)
     return found
 
