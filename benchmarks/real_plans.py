@@ -2,8 +2,8 @@
 
 DIR has a folder a source, each with files that `sceneweaver.read_homes` reads. A file ``source.yaml`` in it may say
 what its plans do not tell, ``not_judged: {rule: why}``; rows about windows are left out as well for a source none of
-whose files has a window. A plan is whole where it has an entrance and one storey, or stairs between storeys; what is
-not (a picture of half a house) is counted alone.
+whose files has a window. A plan is whole where it has an entrance, a door to each room and one storey, or stairs
+between storeys; what is not (half a house, doors that were not drawn) is counted alone.
 """
 
 from __future__ import annotations
@@ -95,14 +95,16 @@ def judge(folder: Path, profile: Profile, limit: int | None, repaired: bool) -> 
         if repaired and not report.valid:
             mended = repair_plan(home, profile=profile)
             entry.after = _broken(mended.after)
-            entry.moved = max((abs(move.by) for move in mended.moved), default=0.0)
+            entry.moved = max((abs(m.by) for m in mended.moved if not m.how.startswith("added")), default=0.0)
         found.plans.append(entry)
     return found
 
 
 def whole(home: Home) -> bool:
-    """Whether a plan has an entrance, and stairs where it has several storeys."""
-    return bool(home.entrances) and len(home.stairs) >= len(home.storeys) - 1
+    """Whether a plan has an entrance, a door to each room, and stairs where it has several storeys."""
+    joined = {room for door in home.doors for room in (door.room, door.to)}
+    shut = [room.id for room in home.rooms if room.id not in joined]
+    return bool(home.entrances) and not shut and len(home.stairs) >= len(home.storeys) - 1
 
 
 def _broken(report: PlanReport) -> dict[str, list[str]]:

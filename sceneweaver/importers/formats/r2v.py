@@ -50,6 +50,9 @@ ROOMS = {
 TELLING = {"entrance": "entrance_hall", "bathtub": "wet_room", "toilet": "guest_toilet", "cooking_counter": "kitchen"}
 """Fixtures that tell what a room is where no word stands in it."""
 
+CUPBOARD = 2.5
+"""A room without a word and with less floor [m2] is a closet."""
+
 FRONT = 1.6
 """Widest front [m] of a closet for which none is drawn."""
 
@@ -92,6 +95,8 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     kinds = ["shaft" if kind == "room" and k not in opened else kind for k, kind in enumerate(kinds)]
     unit, known = _unit(doors, inside, rings, kinds, options.scale)
     said = [known]
+    small = [signed_area(ring) * unit * unit < CUPBOARD for ring in rings]
+    kinds = ["closet" if kind == "room" and less else kind for kind, less in zip(kinds, small, strict=True)]
     entries = [k for k, f in enumerate(fixtures) if "entrance" in f]
     if not any(len(sides) == 1 and sides[0] in entries for sides in inside):
         entries, told = _entries(doors, inside, kinds)

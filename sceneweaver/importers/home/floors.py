@@ -24,7 +24,7 @@ TOUCH = 0.02
 THICK = 0.6
 """Widest gap [m] between two rooms that is one wall."""
 
-THIN = 0.03
+THIN = 0.01
 """Thinnest wall [m] that a home gets."""
 
 SLIVER = 0.2
@@ -42,8 +42,8 @@ STUB = 0.1
 SLANT = 0.06
 """Tangent below which a wall is meant to lie along an axis."""
 
-STEP = 0.035
-"""Steps of a wall, and gaps between two rooms, of less than this [m] are noise: no wall is so thin."""
+STEP = 0.045
+"""Steps of a wall shorter than this [m] are noise: no wall is so thin."""
 
 LEVEL = 0.01
 """Walls along an axis whose places differ by less than this [m] lie on one line."""
@@ -206,11 +206,13 @@ def _bundles(places: np.ndarray, pairs: Sequence[tuple[int, int]]) -> list[list[
 def _steps(
     outlines: Sequence[Any], starts: np.ndarray, axis: int, number: dict[int, int], places: np.ndarray
 ) -> list[tuple[int, int]]:
-    """Pairs of walls of a step in an outline, or of two rooms that all but touch, less than `STEP` apart."""
+    """Pairs of walls of a step in an outline, at most `STEP` apart, or of two rooms that all but touch."""
     walls: list[tuple[int, float, float, int]] = []
     found: list[tuple[int, int]] = []
     for room, (ring, start) in enumerate(zip(outlines, starts[:-1], strict=True)):
-        for k in range(0 if ring is None else len(ring)):
+        if ring is None:
+            continue
+        for k in range(len(ring)):
             a, b = start + k, start + (k + 1) % len(ring)
             low, high = sorted((float(ring[k, 1 - axis]), float(ring[(k + 1) % len(ring), 1 - axis])))
             if number.get(a) is not None and number.get(a) == number.get(b):
@@ -219,7 +221,7 @@ def _steps(
                 found += [(number[a], number[b])] if a in number and b in number else []
     for k, (one, low, high, room) in enumerate(walls):
         for other, low_, high_, room_ in walls[k + 1 :]:
-            if room != room_ and abs(places[one] - places[other]) <= STEP and min(high, high_) - max(low, low_) > 0.1:
+            if room != room_ and abs(places[one] - places[other]) <= TOUCH and min(high, high_) - max(low, low_) > 0.1:
                 found.append((one, other))
     return found
 
@@ -262,13 +264,17 @@ def thickness(outlines: Sequence[Sequence[Sequence[float]]], usual: float) -> fl
     for outline in outlines:
         a = np.asarray(outline, dtype=float)
         b = np.roll(a, -1, axis=0)
-        boxes.append((np.minimum(a, b), np.maximum(a, b)))
+        straight = bool((np.abs(a - b).min(axis=1) < 1e-9).all())
+        boxes.append((np.minimum(a, b), np.maximum(a, b), straight, shapely.Polygon(a)))
     least = usual
-    for k, (low, high) in enumerate(boxes):
-        for low_, high_ in boxes[k + 1 :]:
-            apart = np.maximum(low[:, None] - high_[None], low_[None] - high[:, None]).max(axis=2).min()
-            if apart >= TOUCH:
-                least = min(least, float(apart))
+    for k, (low, high, along, shape) in enumerate(boxes):
+        for low_, high_, along_, shape_ in boxes[k + 1 :]:
+            if along and along_:
+                apart = float(np.maximum(low[:, None] - high_[None], low_[None] - high[:, None]).max(axis=2).min())
+            else:
+                apart = shape.distance(shape_)
+            if apart >= THIN:
+                least = min(least, apart)
     return max(THIN, round(np.floor(least * 1000 + 1e-4) / 1000, 3))
 
 

@@ -117,7 +117,7 @@ def place(opening: Opening, walls: Walls, *, only: bool = False) -> Placed | str
     if fitted is None:
         return "its wall is elsewhere" if other is None else "the walls on its two sides do not lie behind each other"
     low, high = _whole(*fitted, least, most)
-    free = _free(low, high, room, wall, other, walls)
+    free = _free(low, high, room, wall, other, walls, 0.0 if source.kind == "passage" else APART)
     if free is None:
         return "another opening is there"
     play = 0.0 if 0.0 in (round(wall.along[0], 9), round(wall.along[1], 9)) else SLANTED
@@ -197,7 +197,13 @@ def _fitted(low: float, high: float, least: float, most: float) -> tuple[float, 
 
 
 def _free(
-    low: float, high: float, room: int, wall: Wall, other: tuple[int, Wall, float, float] | None, walls: Walls
+    low: float,
+    high: float,
+    room: int,
+    wall: Wall,
+    other: tuple[int, Wall, float, float] | None,
+    walls: Walls,
+    apart: float,
 ) -> tuple[float, float] | None:
     """What of an interval of a wall no other opening has, on either side; None: nothing of use."""
     low, high = max(0.0, low), min(wall.length, high)
@@ -207,9 +213,9 @@ def _free(
             ends = [wall.coordinates(other[1].point(t))[0] for t in (a, b)]
             taken.append((min(ends), max(ends)))
     for a, b in taken:
-        if low < b + APART and high > a - APART:
-            before, after = a - APART - low, high - b - APART
+        if low < b + apart and high > a - apart:
+            before, after = a - apart - low, high - b - apart
             if max(before, after) < LEAST:
                 return None
-            low, high = (low, a - APART) if before >= after else (b + APART, high)
+            low, high = (low, a - apart) if before >= after else (b + apart, high)
     return low, high

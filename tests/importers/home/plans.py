@@ -217,9 +217,9 @@ def rplan() -> str:
 
 def dxf(folder: Path) -> Path:
     """In millimetres: rooms as closed polylines, doors as lines and a block, names as texts."""
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2010")
+    document = new("R2010")
     document.header["$INSUNITS"] = 4
     space = document.modelspace()
 

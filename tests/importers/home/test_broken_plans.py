@@ -87,9 +87,9 @@ def test_one_line_for_a_broken_file(name: str, text: str, says: str, tmp_path: P
 
 
 def _dxf(folder: Path, draw: str) -> Path:
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2010")
+    document = new("R2010")
     document.header["$INSUNITS"] = 0 if draw == "unit" else 6
     space = document.modelspace()
     if draw == "open":

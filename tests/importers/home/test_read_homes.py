@@ -173,9 +173,9 @@ def test_noise_of_pixels_is_taken_out(tmp_path: Path) -> None:
 
 
 def test_walls_enclose_the_rooms_of_a_dxf(tmp_path: Path) -> None:
-    import ezdxf
+    from ezdxf.filemanagement import new
 
-    document = ezdxf.new("R2010")
+    document = new("R2010")
     document.header["$INSUNITS"] = 0
     space = document.modelspace()
     lines = [((0, 0), (6000, 0)), ((6000, 0), (6000, 3000)), ((6000, 3000), (0, 3000)), ((0, 3000), (0, 0))]
