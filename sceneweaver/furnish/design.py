@@ -388,7 +388,7 @@ class _Run:
         seeds: dict[str, int] = {}
         for again in range(WALKS):
             names = sorted(_in_the_way(done.home, report) & done.rooms.keys())
-            if not names or self.limit.passed or done.cut_off:
+            if not names or self.limit.passed or self.limit.stop.reason:
                 break
             self._say(f"not all can be walked to in {', '.join(names)}: furnished anew")
             seeds |= {name: random.Random(f"walk {name} {again} {self.seed}").randrange(2**32) for name in names}
@@ -420,8 +420,8 @@ def _reached(report: HomeReport) -> tuple[float, ...]:
 
 
 def _in_the_way(home: Home, report: HomeReport) -> set[str]:
-    """Rooms whose furniture may be why something is not walked to: those of the things, and of blocked doors; of rooms
-    that are not reached those beside them that are."""
+    """Rooms whose furniture may be why something is not walked to: those of the things, and of blocked doors; rooms
+    that are not reached, and those beside them that are."""
     access = report.access
     found = {name.partition("/")[0] for name in access.unreached_objects}
     doors = {door.id: door for door in home.doors}
@@ -431,6 +431,6 @@ def _in_the_way(home: Home, report: HomeReport) -> set[str]:
     if lost:
         graph = home.graph()
         beside = {room for name in lost for room, _ in graph[name]} - lost
-        found = (found - lost) | beside
+        found |= beside | lost
     found |= {name for v in report.violations if v.kind in ("through_wall", "blocked_leaf", "room") for name in v.rooms}
     return found

@@ -42,7 +42,7 @@ Said = Callable[[FurnishedRoom], None]
 
 @dataclass(frozen=True)
 class FurnishedHome:
-    """A home with its rooms furnished.
+    """A home with its rooms furnished, see `furnish_home`.
 
     Attributes:
         home: the home; a room of which nothing could be made is empty.
@@ -51,6 +51,12 @@ class FurnishedHome:
         palette: its name.
         seconds: wall time [s].
         cut_off: what ended it before it was done; empty: nothing.
+        jobs: by id, what was to be done with each room.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> sw.FurnishedHome(sw.Home.example("flat"), {}).valid
+        True
     """
 
     home: Home
@@ -210,7 +216,7 @@ def _made(jobs: Sequence[RoomJob], workers: int, deadline: Deadline) -> Iterator
     count = min(workers, len(order))
     if count <= 1:
         for at, job in enumerate(order):
-            yield furnish_room(job, _share(deadline, len(order) - at, 1), deadline.stop)
+            yield furnish_room(job, _share(deadline, job, order[at:], 1), deadline.stop)
         return
     with processes.pool(count, deaf=True) as pool:
         running = list((pool._processes or {}).values())  # noqa: SLF001 - there is no public way to end one
@@ -230,7 +236,7 @@ def _side_by_side(
     while waiting or running:
         while waiting and len(running) < count and not (deadline.passed and len(waiting) < len(order)):
             job = waiting.pop(0)
-            seconds = _share(deadline, len(waiting) + len(running) + 1, count)
+            seconds = _share(deadline, job, [job, *waiting], count)
             try:
                 running[pool.submit(furnish_room, job, seconds)] = job
             except BrokenProcessPool as error:
@@ -263,8 +269,9 @@ def _work(job: RoomJob) -> float:
     return 0.0
 
 
-def _share(deadline: Deadline, left: int, workers: int) -> float | None:
-    """Seconds that the next of some rooms may take, so that the others get as much; None: any."""
+def _share(deadline: Deadline, job: RoomJob, left: Sequence[RoomJob], workers: int) -> float | None:
+    """Seconds that one of the rooms that are left may take, so that the others get theirs; None: any."""
     if deadline.left == math.inf:
         return None
-    return max(1.0, deadline.left * min(1.0, workers / left))
+    share = _work(job) / max(1e-6, sum(_work(other) for other in left))
+    return max(1.0, deadline.left * min(1.0, workers * share))

@@ -33,6 +33,15 @@ class HomeResult:
         broken: those of them that broke down.
         files: what was written, in the order in which to look at it, by paths inside ``out``.
         out: the folder; None: none was written.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.plans import Programme, check_plan
+        >>> from sceneweaver.verify.home import check_home
+        >>> flat = sw.Home.example("flat")
+        >>> plan, programme = check_plan(flat), Programme.example("flat-2-bedrooms")
+        >>> sw.HomeResult(flat, check_home(flat), plan, programme, {}).unmet
+        ()
     """
 
     home: Home
