@@ -92,15 +92,16 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     kinds = [_kind(w, f) for w, f in zip(words, fixtures, strict=True)]
     inside = [_sides(a, b, rings, kinds) for a, b in doors]
     opened = {k for sides in inside if len(sides) == 2 for k in sides}
-    kinds = ["shaft" if kind == "room" and k not in opened else kind for k, kind in enumerate(kinds)]
+    entries = [k for k, f in enumerate(fixtures) if "entrance" in f]
+    kinds = ["shaft" if kind == "room" and k not in {*opened, *entries} else kind for k, kind in enumerate(kinds)]
     unit, known = _unit(doors, inside, rings, kinds, options.scale)
     said = [known]
-    small = [signed_area(ring) * unit * unit < CUPBOARD for ring in rings]
-    kinds = ["closet" if kind == "room" and less else kind for kind, less in zip(kinds, small, strict=True)]
-    entries = [k for k, f in enumerate(fixtures) if "entrance" in f]
     if not any(len(sides) == 1 and sides[0] in entries for sides in inside):
         entries, told = _entries(doors, inside, kinds)
         said.append(told)
+    kinds = _with_entrance(kinds, entries)
+    small = [signed_area(ring) * unit * unit < CUPBOARD for ring in rings]
+    kinds = ["closet" if kind == "room" and less else kind for kind, less in zip(kinds, small, strict=True)]
     openings = []
     for n, ((a, b), sides) in enumerate(zip(doors, inside, strict=True)):
         outer = len(sides) < 2
@@ -241,6 +242,13 @@ def _pieces(rings: list[np.ndarray], entries: list[int]) -> list[str]:
     size = {n: sum(shapely.Polygon(r).area for r, m in zip(rings, of, strict=True) if m == n) for n in set(of)}
     order = sorted(size, key=lambda n: (n not in [of[k] for k in entries], -size[n]))
     return [str(order.index(n)) for n in of]
+
+
+def _with_entrance(kinds: list[str], entries: list[int]) -> list[str]:
+    """Types of rooms where the word entrance stands in one: a closet is the hall then, the only bedroom a studio."""
+    alone = sum(kind in ("bedroom", "living_room", "living_kitchen") for kind in kinds) == 1
+    told = {"closet": "entrance_hall", "room": "entrance_hall"} | ({"bedroom": "studio_apartment"} if alone else {})
+    return [told.get(kind, kind) if k in entries else kind for k, kind in enumerate(kinds)]
 
 
 def _sides(a: np.ndarray, b: np.ndarray, rings: list[np.ndarray], kinds: list[str]) -> list[int]:
