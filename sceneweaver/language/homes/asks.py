@@ -6,11 +6,11 @@ from functools import lru_cache
 
 from sceneweaver.knowledge.load import room_words
 
-from .households import people_told
 from .lexicon import data
 from .mentions import is_thing
 from .parts import Named
 from .read import read_parts
+from .residents import people_told
 from .tokens import Token, spoken
 from .use_named import use_in
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from .households import count_before, in_singular, number_done, people_told
+from .households import count_before, in_singular, number_done
 from .parts import Named, Reading
+from .residents import people_told
 from .tokens import Token
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .households import bedrooms_for, people_told
 from .lexicon import data, room_kinds
 from .parts import Reading
+from .residents import bedrooms_for, people_told
 from .resolve import Room, bedroomlike, kind_named, new_id
 
 

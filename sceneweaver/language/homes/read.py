@@ -14,13 +14,14 @@ from .areas import balanced, set_areas
 from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
 from .each import read_each
 from .floors import read_floors
-from .households import people_told, read_people, settle
+from .households import read_people
 from .joined import read_joints
 from .lexicon import Use, uses
 from .mentions import read_mentions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
 from .parts import Joint, Named, Reading
+from .residents import people_told, settle
 from .resolve import Room, bedroomlike, resolve
 from .site import read_site
 from .tokens import Spoken, spoken

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 from sceneweaver.plans import room_type
 
-from .households import bedrooms_for
 from .lexicon import RoomKind, data, room_kinds
 from .parts import Named, Reading
+from .residents import bedrooms_for
 
 
 @dataclass
