@@ -86,6 +86,14 @@ def pull(
 
 
 @wp.func
+def on_one_cut(cell_bounds: wp.array(dtype=wp.vec4i), cells: wp.int32, i: wp.int32, j: wp.int32, side: wp.int32):
+    """Whether the same sides of two cells are one cut's."""
+    if i >= cells or j >= cells:
+        return False
+    return cell_bounds[i][side] == cell_bounds[j][side]
+
+
+@wp.func
 def pull_overlap(
     p: PlanProblem,
     cell_bounds: wp.array(dtype=wp.vec4i),
@@ -106,11 +114,11 @@ def pull_overlap(
         e += MARGIN
         if a[axis + 2] <= b[axis + 2]:
             pull(cell_bounds, p.cells, i, axis + 2, e, -1.0, 4.0, gradient, curvature)
-        if b[axis + 2] <= a[axis + 2]:
+        if b[axis + 2] <= a[axis + 2] and not on_one_cut(cell_bounds, p.cells, i, j, axis + 2):
             pull(cell_bounds, p.cells, j, axis + 2, e, -1.0, 4.0, gradient, curvature)
         if a[axis] >= b[axis]:
             pull(cell_bounds, p.cells, i, axis, e, 1.0, 4.0, gradient, curvature)
-        if b[axis] >= a[axis]:
+        if b[axis] >= a[axis] and not on_one_cut(cell_bounds, p.cells, i, j, axis):
             pull(cell_bounds, p.cells, j, axis, e, 1.0, 4.0, gradient, curvature)
     return wp.max(e, 0.0)
 
@@ -296,11 +304,13 @@ def solve_cuts(
     # Problem:
     p: PlanProblem,
     steps: wp.int32,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Move the cuts of each candidate that is not valid yet; the best of all steps by the plan's energy stays."""
-    candidate = wp.tid()
+    """Move the cuts of each active candidate that is not valid yet; what has the least energy stays."""
+    candidate = active[wp.tid()]
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
         return

@@ -42,14 +42,16 @@ def search_plans(
     more: wp.int32,
     hot: wp.float32,
     cold: wp.float32,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """One round of each candidate that is not valid yet: a random forest, then so many moves, annealed.
+    """One round of each active candidate that is not valid yet: a random forest, then so many moves, annealed.
 
     Once a plan is valid, at most ``more`` moves follow, which make it better.
     """
-    candidate = wp.tid()
+    candidate = active[wp.tid()]
     if s.status[candidate] != 0:
         return
     rng = s.rng[candidate]

@@ -32,11 +32,13 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 def place_cells(
     # Problem:
     p: PlanProblem,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Cells of each candidate that is not valid yet, from its code and cuts."""
-    candidate = wp.tid()
+    """Cells of each active candidate that is not valid yet, from its code and cuts."""
+    candidate = active[wp.tid()]
     n = s.length[candidate]
     if s.status[candidate] != 0 or n == 0:
         return
@@ -73,11 +75,13 @@ def place_cells(
 def judge_cells(
     # Problem:
     p: PlanProblem,
+    # State in:
+    active: wp.array(dtype=wp.int32),
     # State in and out:
     s: PlanState,
 ):
-    """Doors, windows, violations and status of each candidate that is not valid yet, from its cells."""
-    candidate = wp.tid()
+    """Doors, windows, violations and status of each active candidate that is not valid yet, from its cells."""
+    candidate = active[wp.tid()]
     if s.status[candidate] != 0:
         return
     frame = s.frame[candidate]

@@ -23,7 +23,7 @@ GOAL_CPU, GOAL_GPU = 100, 10_000
 """Valid plans a second of programmes of eight rooms on one storey: on two cores, on one H200."""
 EIGHT = ("flat-2-bedrooms", "flat-2-bedrooms-ensuite", "flat-3-bedrooms-open")
 """Those programmes."""
-PATIENCE = 60.0
+PATIENCE = 30.0
 """Seconds that the rival gets for a programme."""
 
 COLUMNS = (

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
+from sceneweaver.home import DoorKind
 from sceneweaver.io import InputError, Place, load_yaml, packaged
 from sceneweaver.io.messages import show, suggest
 from sceneweaver.scene.base import FrozenModel
@@ -76,7 +77,8 @@ class Rule(FrozenModel):
     """A row: ``measure`` of what ``of`` selects is at least ``least`` and at most ``most``.
 
     Soft rows (``hard`` false) do not make a plan invalid: their breach costs ``weight``, less where the excess is
-    below ``per`` (None: the bound, or 1 where that is 0). ``except_of`` leaves out doors of these rooms.
+    below ``per`` (None: the bound, or 1 where that is 0). ``except_of`` leaves out doors of these rooms. ``passages``
+    are the kinds of doors that make two rooms one for light.
     """
 
     _noun = "rule"
@@ -86,6 +88,7 @@ class Rule(FrozenModel):
     of: tuple[Name, ...] = ()
     to: tuple[Name, ...] = ()
     except_of: tuple[Name, ...] = ()
+    passages: tuple[DoorKind, ...] = ("open",)
     least: Number | None = None
     most: Number | None = None
     hard: Flag = True

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -103,51 +102,30 @@ def run_rounds(
     state = new_state(candidates, device)
     state.rng.assign(streams(seed, candidates))
 
-    def one_round(part: Any, size: int) -> None:
-        wp.launch(search_plans, size, [problem, moves, MORE, HOT, COLD], [part], device=device, block_dim=BLOCK)
-        wp.launch(solve_cuts, size, [problem, STEPS], [part], device=device, block_dim=BLOCK)
-        wp.launch(place_cells, size, [problem], [part], device=device, block_dim=BLOCK)
-        wp.launch(judge_cells, size, [problem], [part], device=device, block_dim=BLOCK)
-
-    run = _on_cpu if device == "cpu" else _on_gpu
-    timed_out = run(one_round, state, candidates, rounds, device, end)
-    return {table.name: getattr(state, table.name).numpy() for table in STATE}, timed_out
-
-
-def _on_cpu(
-    one_round: Callable[[Any, int], None], state: Any, candidates: int, rounds: int, device: str, end: float
-) -> bool:
-    """All rounds of one piece after the other, in threads."""
+    def one_round(part: Any, active: np.ndarray) -> None:
+        which = wp.array(active, dtype=wp.int32, device=device)
+        options = {"dim": len(active), "device": device, "block_dim": BLOCK}
+        wp.launch(search_plans, inputs=[problem, moves, MORE, HOT, COLD, which], outputs=[part], **options)
+        wp.launch(solve_cuts, inputs=[problem, STEPS, which], outputs=[part], **options)
+        wp.launch(place_cells, inputs=[problem, which], outputs=[part], **options)
+        wp.launch(judge_cells, inputs=[problem, which], outputs=[part], **options)
 
     def work(first: int) -> bool:
-        last = min(first + PIECE, candidates)
-        part = part_of(state, first, last)
+        """All rounds of a piece, whether time was up."""
+        part = part_of(state, first, min(first + piece, candidates))
+        active = np.arange(len(part.status))
         for _ in range(rounds):
             if time.monotonic() > end:
                 return True
-            one_round(part, last - first)
-            if part.status.numpy().all():
+            one_round(part, active)
+            active = np.flatnonzero(part.status.numpy() == 0)  # those that are done take no threads
+            if not len(active):
                 break
         return False
 
-    return any(map_threads(work, range(0, candidates, PIECE), cores()))
-
-
-def _on_gpu(
-    one_round: Callable[[Any, int], None], state: Any, candidates: int, rounds: int, device: str, end: float
-) -> bool:
-    """Rounds of all candidates: recorded once, as a graph; the host looks at the clock in between."""
-    with wp.ScopedCapture(device=device, force_module_load=False) as capture:
-        one_round(state, candidates)
-    assert capture.graph is not None
-    for _ in range(rounds):
-        if time.monotonic() > end:
-            return True
-        wp.capture_launch(capture.graph)
-        wp.synchronize_device(device)
-        if state.status.numpy().all():
-            break
-    return False
+    piece = PIECE if device == "cpu" else candidates
+    timed_out = any(map_threads(work, range(0, candidates, piece), cores() if device == "cpu" else 1))
+    return {table.name: getattr(state, table.name).numpy() for table in STATE}, timed_out
 
 
 def judge_rectangles(plan: CompiledPlan, cells: np.ndarray, device: str = "cpu") -> dict[str, np.ndarray]:
@@ -177,5 +155,7 @@ def judge_rectangles(plan: CompiledPlan, cells: np.ndarray, device: str = "cpu")
             given["cells"][:, at], given["storey"][:, at], given["owner"][:, at] = rect, storey, room
     for name, values in given.items():
         getattr(state, name).assign(values)
-    wp.launch(judge_cells, len(cells), [plan.on_device(device)], [state], device=device, block_dim=BLOCK)
+    active = wp.array(np.arange(len(cells)), dtype=wp.int32, device=device)
+    inputs = [plan.on_device(device), active]
+    wp.launch(judge_cells, len(cells), inputs, [state], device=device, block_dim=BLOCK)
     return {table.name: getattr(state, table.name).numpy() for table in STATE}

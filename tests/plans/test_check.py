@@ -214,6 +214,9 @@ def test_an_open_passage_lends_light():
         with_part("doors", "to-living", kind="open", opens_into=None, width=1.2),
     )
     assert not {"daylight", "glazing"} & rules(check_plan(home_with(wide)))
+    sliding = both(wide, with_part("doors", "to-kitchen", kind="sliding"))
+    assert {"daylight", "glazing"} <= rules(check_plan(home_with(sliding)))
+    assert not {"daylight", "glazing"} & rules(check_plan(home_with(sliding), profile="japan"))
     narrow = both(wide, with_part("doors", "to-kitchen", width=1.19))
     assert {"daylight", "glazing"} <= rules(check_plan(home_with(narrow)))
 

@@ -82,7 +82,7 @@ FAR_LAUNDRIES = both(
 BROKEN: dict[str, tuple[Change, str]] = {
     "disjoint": (resized("kitchen", 0.3, 0.3, 2.9, 3.2), "kitchen and shower: they share 0.2600 m2 of floor"),
     "wall-thickness": (resized("living", 5.06, 0.3, 8.7, 7.1), "is 0.060 m thick; at least 0.100 m"),
-    "no-voids": (living_around_a_hole, "width is 1.000 m; at most 0.600 m"),
+    "no-voids": (living_around_a_hole, "width is 1.000 m; at most 0.900 m"),
     "storey": (resized("bedroom", 5.1, 0.3, 11.5, 7.1), "bedroom: 6.80 m2 of it reach more than 1.5 m"),
     "doors-lead": (
         with_part("doors", "front", room="store", offset=0.9, width=0.8, opens_into="store"),
@@ -104,14 +104,14 @@ BROKEN: dict[str, tuple[Change, str]] = {
     "one-large-room": (SMALL_ROOMS, "floor is 10.80 m2; at least 11.10 m2"),
     "habitable-side": (resized("child", 0.3, 0.9, 2.9, 3.0), "child: clear width is 2.100 m; at least 2.130 m"),
     "kitchen-side": (resized("kitchen", 0.3, 1.65, 2.9, 3.0), "kitchen: clear width is 1.350 m; at least 1.400 m"),
-    "bath-side": (narrow_bath(1.8, offset=1.7), "bath: clear width is 1.100 m; at least 1.200 m"),
+    "bath-side": (narrow_bath(2.2, offset=1.95, width=0.6), "bath: clear width is 0.700 m; at least 0.760 m"),
     "shower-side": (
         both(retyped(bath="wet_room"), narrow_bath(2.2, offset=1.95, width=0.6)),
         "bath: clear width is 0.700 m; at least 0.760 m",
     ),
     "toilet-side": (
-        both(retyped(bath="guest_toilet"), narrow_bath(2.2, offset=1.95, width=0.6)),
-        "bath: clear width is 0.700 m; at least 0.760 m",
+        both(retyped(bath="guest_toilet"), narrow_bath(2.25, offset=1.95, width=0.6)),
+        "bath: clear width is 0.650 m; at least 0.700 m",
     ),
     "hall-width": (narrow_hall(3.8), "hall: clear way between its doors is 0.800 m; at least 0.910 m"),
     "ceiling": (low(2.1, 2.1), "living: ceiling height is 2.100 m; at least 2.130 m"),
@@ -182,6 +182,11 @@ SOFT: dict[str, tuple[Change, str]] = {
     "corridors-short": (lambda data: None, "share of the floor is 15.8 %; at most 14.0 %"),
     "kitchen-dining": (lambda data: None, "kitchen to living: distance is 2.200 m; at most 0.400 m"),
     "kitchen-wide": (resized("kitchen", 0.3, 1.3, 2.9, 3.0), "kitchen: clear width is 1.700 m; at least 1.800 m"),
+    "bath-wide": (narrow_bath(1.5, offset=1.4), "bath: clear width is 1.400 m; at least 1.500 m"),
+    "toilet-wide": (
+        both(retyped(bath="guest_toilet"), narrow_bath(2.2, offset=1.95, width=0.6)),
+        "bath: clear width is 0.700 m; at least 0.760 m",
+    ),
     "kitchen-light": (without("windows", "w-kitchen"), "kitchen: windows by floor is 0.0 %; at least 8.0 %"),
     "kitchen-entrance": (
         both(

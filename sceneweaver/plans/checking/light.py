@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from sceneweaver.home import DoorKind
+
 from ..profile import Rule
 from .facts import OPEN_WIDTH, DoorFacts, OpeningFacts, PlanFacts, RoomFacts, exact, metres
 from .readings import Reading, fault, measure
@@ -26,14 +28,14 @@ def glazed(plan: PlanFacts, room: RoomFacts) -> list[tuple[OpeningFacts, Fractio
     return found
 
 
-def open_group(plan: PlanFacts, room: RoomFacts) -> list[RoomFacts]:
-    """The rooms that open passages of `OPEN_WIDTH` join to a room, itself first."""
+def open_group(plan: PlanFacts, room: RoomFacts, kinds: tuple[DoorKind, ...]) -> list[RoomFacts]:
+    """The rooms that passages of these kinds, `OPEN_WIDTH` wide, join to a room, itself first."""
     group, queue = [room], [room]
     while queue:
         here = queue.pop()
         for door in plan.doors_of(here):
             other = door.other if door.room is here else door.room
-            wide = door.part.kind == "open" and door.width >= OPEN_WIDTH
+            wide = door.part.kind in kinds and door.width >= OPEN_WIDTH
             if wide and other is not None and not other.outdoor and other not in group:
                 group.append(other)
                 queue.append(other)
@@ -46,7 +48,7 @@ def dark(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     for room in plan.rooms:
         if room.outdoor or not room.needs_daylight:
             continue
-        if not any(glazed(plan, other) for other in open_group(plan, room)):
+        if not any(glazed(plan, other) for other in open_group(plan, room, rule.passages)):
             yield fault((room.id,), f"{room.id}: it has no window, nor an open passage of 1.2 m to a room with one")
 
 
@@ -59,7 +61,7 @@ def glazing(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     for room in plan.selected(rule.of):
         if room.outdoor or (room.spec is not None and room.spec.daylight is False):
             continue
-        group = open_group(plan, room)
+        group = open_group(plan, room, rule.passages)
         windows = sum((area for other in group for _, area in glazed(plan, other)), Fraction(0))
         floor = sum((other.area for other in group if other.has("habitable")), Fraction(0)) or room.area
         own = sum((area for _, area in glazed(plan, room)), Fraction(0)) / room.area
