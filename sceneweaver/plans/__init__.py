@@ -10,12 +10,12 @@ from .profile import MEASURES as MEASURES
 from .profile import Profile as Profile
 from .profile import Rule as Rule
 from .profile import profile_names as profile_names
-from .programme import Adjacency as Adjacency
 from .programme import Programme as Programme
-from .programme import RoomSpec as RoomSpec
 from .programme import programme_names as programme_names
 from .report import PlanReport as PlanReport
 from .report import PlanViolation as PlanViolation
+from .room_specs import Adjacency as Adjacency
+from .room_specs import RoomSpec as RoomSpec
 from .room_types import RoomType as RoomType
 from .room_types import room_type as room_type
 from .room_types import room_types as room_types

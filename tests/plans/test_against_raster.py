@@ -17,7 +17,7 @@ from sceneweaver.plans.room_types import room_type
 from tests.plans.random_homes import random_home
 from tests.plans.raster import P, Raster, cropped, fits, flood, gap, grown, largest_square, rectangles
 
-SEEDS = range(12)
+SEEDS = range(7)
 
 
 def readings(home: Home, measure: str, **row: Any) -> list[Reading]:
@@ -156,7 +156,7 @@ def _slides(home: Home, raster: Raster, room_id: str, k: int) -> bool:
     return False
 
 
-@pytest.mark.parametrize("seed", range(100, 130))
+@pytest.mark.parametrize("seed", range(100, 118))
 def test_what_is_reached_by_words(seed: int):
     """Ways by the rules as one says them, over the doors alone."""
     home = random_home(seed)

@@ -68,7 +68,7 @@ def mirrored(data: Data) -> Data:
     return data
 
 
-@pytest.mark.parametrize("seed", range(200, 215))
+@pytest.mark.parametrize("seed", range(200, 208))
 def test_turned_moved_and_mirrored_homes_are_judged_alike(seed: int):
     home = random_home(seed)
     data = [home.model_dump(mode="json") for _ in range(5)]
@@ -79,7 +79,7 @@ def test_turned_moved_and_mirrored_homes_are_judged_alike(seed: int):
         assert Counter((v.rule, frozenset(v.rooms), round(v.amount, 6)) for v in found) == expected
 
 
-@pytest.mark.parametrize("seed", range(300, 310))
+@pytest.mark.parametrize("seed", range(300, 306))
 def test_the_order_of_parts_does_not_matter(seed: int):
     home = random_home(seed)
     data = home.model_dump(mode="json")
@@ -346,7 +346,7 @@ def test_faults_of_tilted_homes_are_found():
         "disjoint",
     }
     seen: Counter[str] = Counter()
-    for seed in range(400, 408):
+    for seed in range(400, 404):
         home = random_home(seed)
         straight, found = (
             {(v.rule, frozenset(v.rooms)) for v in check_plan(h).violations if v.rule in measured}

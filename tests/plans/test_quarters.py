@@ -16,8 +16,8 @@ def inside(quarter: Quarter, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def points(box: tuple[int, int, int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """300 x 300 points within a box."""
-    x, y = (np.linspace(box[k], box[k + 2], 302)[1:-1] for k in (0, 1))
+    """200 x 200 points within a box."""
+    x, y = (np.linspace(box[k], box[k + 2], 202)[1:-1] for k in (0, 1))
     return np.meshgrid(x, y)  # type: ignore[return-value]
 
 
@@ -30,7 +30,7 @@ def some(rng: random.Random) -> Quarter:
 def test_two_quarters_meet_where_points_lie_in_both(seed: int):
     rng = random.Random(seed)
     met = apart = 0
-    while met < 60 or apart < 15:
+    while met < 40 or apart < 8:
         a, b = some(rng), some(rng)
         (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a.box, b.box
         shared = max(ax0, bx0), max(ay0, by0), min(ax1, bx1), min(ay1, by1)
@@ -46,14 +46,14 @@ def test_two_quarters_meet_where_points_lie_in_both(seed: int):
 def test_a_quarter_meets_a_box_where_points_lie_in_both():
     rng = random.Random(7)
     found = [0, 0]
-    for _ in range(500):
+    for _ in range(400):
         quarter = some(rng)
         x, y = rng.randrange(-15, 12), rng.randrange(-15, 12)
         box = (x, y, x + rng.randrange(1, 10), y + rng.randrange(1, 10))
         expected = bool(inside(quarter, *points(box)).any())
         assert quarter.meets_box(box) == expected, (quarter, box)
         found[expected] += 1
-    assert min(found) > 30
+    assert min(found) > 25
 
 
 @pytest.mark.parametrize(("gap", "meets"), [(0, False), (1, True), (-1, False)])

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from ..programme import Adjacency
 from ..report import PlanViolation
+from ..room_specs import Adjacency
 from .economy import share_wall
-from .facts import PlanFacts, RoomFacts, metres
+from .facts import PlanFacts
+from .parts import RoomFacts
 from .readings import number
 from .rooms import clear_side
+from .walls import metres
 
 
 def asked(plan: PlanFacts) -> Iterator[tuple[bool, float, PlanViolation]]:

@@ -8,9 +8,11 @@ from itertools import combinations
 
 from ..profile import Rule
 from ..room_types import selects
-from .facts import PlanFacts, RoomFacts, metres
+from .facts import PlanFacts
 from .geometry import facing_span
+from .parts import RoomFacts
 from .readings import Reading, measure
+from .walls import metres
 
 SHARED_WALL, THICK = 300, 400
 """Rooms share a wall where faces lie at most `THICK` apart over at least `SHARED_WALL` [mm]."""

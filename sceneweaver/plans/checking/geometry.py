@@ -7,9 +7,11 @@ from fractions import Fraction
 from itertools import combinations
 
 from ..profile import Rule
-from .facts import PlanFacts, RoomFacts, Wall, metres
+from .facts import PlanFacts
+from .parts import RoomFacts
 from .readings import Reading, fault, measure
 from .regions import Region, components
+from .walls import Wall, metres
 
 OVERHANG = 1500
 """By how much a storey may reach over the one below [mm] (profile row storey), beside the thickness of its walls."""

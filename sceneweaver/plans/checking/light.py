@@ -8,8 +8,13 @@ from fractions import Fraction
 from sceneweaver.home import DoorKind
 
 from ..profile import Rule
-from .facts import OPEN_WIDTH, DoorFacts, OpeningFacts, PlanFacts, RoomFacts, exact, metres
+from .facts import PlanFacts
+from .parts import DoorFacts, OpeningFacts, RoomFacts
 from .readings import Reading, fault, measure
+from .walls import exact, metres
+
+OPEN_WIDTH = 1200
+"""An open passage of this width [mm] makes two rooms one for light (profile row daylight)."""
 
 ESCAPE_AREA, ESCAPE_WIDTH, ESCAPE_HEIGHT, ESCAPE_SILL = Fraction(53, 100), 510, Fraction(61, 100), Fraction(112, 100)
 """A window to climb out of: [m2], [mm], [m], [m] (profile row escape)."""

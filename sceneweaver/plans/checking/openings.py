@@ -8,22 +8,21 @@ from typing import TYPE_CHECKING
 
 from ..profile import DOORS, Rule
 from ..room_types import selects
-from .facts import (
-    FREE_BEFORE_ENTRANCE,
-    FREE_BEFORE_WINDOW,
-    DoorFacts,
-    OpeningFacts,
-    PlanFacts,
-    RoomFacts,
-    Wall,
-    metres,
-)
+from .facts import PlanFacts
+from .parts import OBLIQUE, DoorFacts, OpeningFacts, RoomFacts
 from .quarters import Quarter
 from .readings import Reading, fault, measure
 from .regions import Region
+from .walls import Wall, metres
 
 if TYPE_CHECKING:
     from shapely import Polygon
+
+FREE_BEFORE_WINDOW = 1000
+"""What a window has before the outer wall [mm] (profile row windows-outside)."""
+
+FREE_BEFORE_ENTRANCE = 600
+"""What the door of an entrance has before the outer wall [mm]."""
 
 LEAF = tuple[Quarter | None, Wall, int, int, bool]
 
@@ -101,7 +100,8 @@ def opening_fault(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
         placed = [(door, *door.place_in(room)) for door in plan.doors_of(room) if door.other is None or door.far]
         placed += [(window, window.wall, window.offset) for window in plan.windows_of(room)]
         for opening, wall, offset in placed:
-            if offset < 0 or offset + opening.width > wall.length + 1e-3:
+            slack = 0 if wall.straight else OBLIQUE
+            if offset < -slack or offset + opening.width > wall.length + slack:
                 yield fault((room.id,), f"{opening.id} of {room.id}: it reaches over the end of its wall")
             if opening.top > room.height and not room.outdoor:
                 line = f"{float(opening.top):.3f} m; the room has {float(room.height):.3f} m"

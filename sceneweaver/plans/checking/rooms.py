@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from ..profile import Rule
-from .facts import DoorFacts, PlanFacts, RoomFacts, Wall, metres
+from .facts import PlanFacts
+from .parts import DoorFacts, RoomFacts
 from .readings import Reading, measure
 from .regions import Region, components, largest
+from .walls import Wall, metres
 
 
 @measure("area")

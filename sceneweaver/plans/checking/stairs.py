@@ -8,9 +8,11 @@ from fractions import Fraction
 from sceneweaver.home import Stair
 
 from ..profile import Rule
-from .facts import PlanFacts, RoomFacts, metres, mm
+from .facts import PlanFacts
+from .parts import RoomFacts
 from .readings import Reading, fault, measure
 from .regions import Box, Region
+from .walls import metres, mm
 
 FLIGHT = Fraction(25, 100)
 """How thick a flight is, for the headroom under stairs over stairs [m]."""

@@ -8,7 +8,8 @@ from fractions import Fraction
 
 from ..profile import Rule
 from ..room_types import selects
-from .facts import PlanFacts, RoomFacts
+from .facts import PlanFacts
+from .parts import RoomFacts
 from .readings import Reading, fault, measure
 from .rooms import turning_square
 
