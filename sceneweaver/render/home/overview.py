@@ -47,8 +47,8 @@ def draw_overview(
     things = furniture(home, storey, load)
     camera = overview_camera(home, storey, width / height)
     x0, y0, x1, y1 = _bounds(home, storey)
-    deep = any(home.room(stair.upper).storey == storey for stair in home.stairs)
-    light = replace(_LIGHT, room=((x0 - 0.5, y0 - 0.5, -3.2 if deep else -0.3), (x1 + 0.5, y1 + 0.5, 2.6)))
+    low = shell.lowest(home, storey)
+    light = replace(_LIGHT, room=((x0 - 0.5, y0 - 0.5, low), (x1 + 0.5, y1 + 0.5, 2.6)))
     drawn = trace([*things, *solids], camera, width, height, lights=light, quality=quality, device=device)
     return Image.fromarray(faded(drawn.rgb))
 

@@ -27,6 +27,7 @@ _SCALES = (20, 25, 50, 75, 100, 150, 200, 250, 500, 1000)
 _MOST = 250.0  # length of a plan on paper [mm] up to which a larger scale is taken
 _PALE, _PALER = 0.55, 0.72  # how much paler than in plans of single rooms furniture is, and rugs
 _LEAST = 0.03  # what is lower is a rug: names may lie on it [m]
+_CUT = 1.2  # height at which a plan cuts a storey [m]
 _DEEP = 0.25  # what hangs on a wall and is less deep is left out [m]
 _SHOWN = 0.4  # things on furniture with a smaller side are left out [m] ...
 _BUILT_IN = frozenset(["sink", "basin", "hob", "cooktop", "stove", "oven", "microwave", "lamp", "tv", "monitor"])
@@ -197,6 +198,9 @@ def _items(room: HomeRoom) -> list[Item]:
             continue
         if 0 < item.layer < HANGING and side < _SHOWN and not (_BUILT_IN & set(words)):
             continue
+        if item.layer >= HANGING and item.obj.pose.position[2] < _CUT:  # a basin or a toilet on a wall is cut no less
+            obj = item.obj.model_copy(update={"mount": "floor", "support": None})
+            item = replace(item, obj=obj, layer=0)
         pale = _PALE if item.top > _LEAST else _PALER
         fill = palette.mixed(item.fill, (255, 255, 255), pale)
         found.append(replace(item, fill=fill, under=palette.mixed(item.under, (255, 255, 255), pale)))

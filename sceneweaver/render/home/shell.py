@@ -130,8 +130,8 @@ def floors_of(home: Home, storey: str, looks: Mapping[str, Finishes]) -> Iterato
                 yield floor_mesh(looks[room.id].looks.floor, plan)
     whole = [*wall_polygons(home, storey), *(shapely.Polygon(room.outline) for room in home.rooms_of(storey))]
     slab = shapely.union_all([p.buffer(1e-4, join_style="mitre") for p in whole])
-    if holes:
-        slab = slab.difference(shapely.union_all(holes))
+    if holes:  # the floor's own edge is before that of the slab
+        slab = slab.difference(shapely.union_all(holes).buffer(0.004, join_style="mitre"))
     builder = Builder()
     some = next(iter(looks.values()))
     extrude(builder, slab, (-_SLAB, -0.002), some.outside, some.outside)
@@ -232,6 +232,13 @@ def windows_of(
                 yield window.id, mesh
 
 
+def lowest(home: Home, storey: str) -> float:
+    """How far one sees down from a storey [m, negative]: under its floor, or to that from which a stair comes up."""
+    floor = home.storey(storey).elevation
+    below = [home.storey_of(s.lower).elevation - floor for s in home.stairs if home.room(s.upper).storey == storey]
+    return min(below, default=0.0) - 0.3
+
+
 def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
     """The stairs that leave a storey upward, up to a height [m], and those that come up to it, in a shaft."""
     builder = Builder()
@@ -244,6 +251,7 @@ def stairs_mesh(home: Home, storey: str, top: float = np.inf) -> Mesh | None:
         if storey == upper.id:
             hole = shapely.Polygon(stair.outline)
             extrude(builder, hole.buffer(0.02, join_style="mitre").difference(hole), (base, -0.06), _RISER, _RISER)
+            extrude(builder, hole.buffer(0.02, join_style="mitre"), (base - 0.02, base), _OAK, _OAK)
         for step in treads(stair):
             z = base + step.number * rise
             if z > top:

@@ -12,6 +12,7 @@ from PIL import Image
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Mesh
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.home import Home, HomeDoor, HomeRoom
 from sceneweaver.scene import Scene
@@ -62,7 +63,7 @@ class Stop:
 def walk_order(home: Home) -> list[Stop]:
     """All indoor rooms in the order of a walk from the entrance: into each room, and back, before the next one.
 
-    From a room through which the walk goes on one looks through the first of the doors that it takes.
+    From a room through which the walk goes on one looks through one of the doors that it takes: to the largest room.
     """
     graph, found, seen = home.graph(), [], set()
     doors = {door.id for door in home.doors}
@@ -74,11 +75,11 @@ def walk_order(home: Home) -> list[Stop]:
             return
         seen.add(stop.room)
         found.append(stop)
-        looked = False
-        for room, by in sorted(graph[stop.room], key=lambda way: way[1] not in doors):  # stairs last
-            if not looked and by in doors and room not in seen and not home.room(room).outdoor:
-                looked = True
-                found.append(replace(stop, onward=(by, room)))
+        ways = sorted(graph[stop.room], key=lambda way: way[1] not in doors)  # stairs last
+        ahead = [(by, room) for room, by in ways if by in doors and room not in seen and not home.room(room).outdoor]
+        if ahead:
+            found.append(replace(stop, onward=max(ahead, key=lambda way: signed_area(home.room(way[1]).outline))))
+        for room, by in ways:
             visit(Stop(room, by if by in doors else None, stop.room))
 
     for begin in begins:
@@ -207,7 +208,8 @@ class Walk:
         points = np.concatenate([np.asarray(one.outline) for one in indoor])
         reach = 2 * self.home.walls.inner
         (x0, y0), (x1, y1) = points.min(axis=0) - reach, points.max(axis=0) + reach
-        box = ((float(x0), float(y0), -0.3), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
+        low = shell.lowest(self.home, room.storey) if any(one.type == "stairs" for one in near) else -0.3
+        box = ((float(x0), float(y0), low), (float(x1), float(y1), self.home.storey_of(room.id).height + 0.4))
         if not lit[0].room.windows:  # else an eye that is used to its lamps sees all beyond the doors too bright
             light = replace(light, lamp_flux=_INNER * light.lamp_flux)
         return replace(light, portals=tuple(p for scene in lit for p in portals_of(scene.room)), room=box, cell=_CELL)

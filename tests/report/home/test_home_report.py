@@ -75,7 +75,7 @@ def test_each_room_has_a_section_to_which_plan_and_table_lead() -> None:
         "8.2 of 10",
         "wardrobe-0 of bedroom is out of reach",
         "double door of 1.40 m to living room",
-        "Living room, from the hall",
+        "Hall, to the living room",
     ],
 )
 def test_it_says_what_the_metrics_say(said: str) -> None:
