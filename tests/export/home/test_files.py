@@ -26,9 +26,10 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.objects import SceneObject
 from tests.export.home.homes import ASSETS, desk_with_mug, flat, house, load
 
-Usd, UsdGeom, UsdPhysics, UsdValidation = (
-    import_module(f"pxr.{name}") for name in ("Usd", "UsdGeom", "UsdPhysics", "UsdValidation")
-)  # type: tuple[Any, ...]
+Usd: Any = import_module("pxr.Usd")
+UsdGeom: Any = import_module("pxr.UsdGeom")
+UsdPhysics: Any = import_module("pxr.UsdPhysics")
+UsdValidation: Any = import_module("pxr.UsdValidation")
 
 
 def placed(home: Home) -> dict[str, tuple[str, SceneObject, np.ndarray]]:

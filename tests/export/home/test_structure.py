@@ -36,6 +36,11 @@ def inside(body: Standing, points: np.ndarray) -> np.ndarray:
     return found
 
 
+def within(bodies: list[Standing], points: np.ndarray) -> np.ndarray:
+    """In how many bodies points [N, 3] are."""
+    return np.sum([inside(body, points) for body in bodies], axis=0)
+
+
 @pytest.mark.parametrize("name", HOMES)
 def test_walls_are_solid_but_for_their_openings(name) -> None:
     """Of random points, those in walls and in no opening are in exactly one body; the others in none."""
@@ -52,7 +57,7 @@ def test_walls_are_solid_but_for_their_openings(name) -> None:
             low = plan.low + (thing.sill if isinstance(thing, HomeWindow) else 0.0)
             here = shapely.contains_xy(shapely.Polygon(opening.corners), *points[:, :2].T)
             wanted &= ~(here & (points[:, 2] > low) & (points[:, 2] < low + thing.height))
-        count = sum(inside(body, points.copy()).astype(int) for body in bodies)
+        count = within(bodies, points)
         pockets = shapely.union_all([p.plan for p in plan.pockets.values()])
         sure = ~shapely.contains_xy(pockets, *points[:, :2].T)
         assert (count[sure] == wanted[sure]).all()
@@ -94,7 +99,7 @@ def test_one_can_walk_up_the_stairs_and_out_on_the_landing() -> None:
         for body, top in zip(treads, tops, strict=True):
             x, y = body.slabs[0].centre[:2]
             points = np.column_stack([np.full(40, x), np.full(40, y), np.linspace(top + 0.01, top + 1.9, 40)])
-            assert not any(inside(other, points.copy()).any() for other in built.standing)
+            assert not any(inside(other, points).any() for other in built.standing)
         floor = shapely.union_all([plan_of(b) for b in built.fixed if ":floor:up:" in b.name])
         assert floor.distance(plan_of(treads[-1])) < 1e-6
         assert floor.intersection(shapely.union_all([plan_of(b) for b in treads])).area < 1e-6
@@ -130,8 +135,8 @@ def test_what_is_seen_of_walls_is_what_collides(name) -> None:
         seen = (area > 1e-3) & (corners[:, :, 2].min(axis=1) > plan.low - 1e-6)
         share = np.random.default_rng(1).dirichlet((1, 1, 1), seen.sum())  # no point between two bodies, as middles are
         middle, way = np.einsum("fk,fkx->fx", share, corners[seen]), normal[seen] / area[seen, None]
-        before = sum(inside(body, middle + 2e-3 * way).astype(int) for body in bodies)
-        behind = sum(inside(body, middle - 2e-3 * way).astype(int) for body in bodies)
+        before = within(bodies, middle + 2e-3 * way)
+        behind = within(bodies, middle - 2e-3 * way)
         assert (before == 0).all()
         above = (middle - 2e-3 * way)[:, 2] > plan.low  # the floor of a pocket has the foundation below it
         assert (behind[above] == 1).all()
