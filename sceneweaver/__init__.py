@@ -74,6 +74,8 @@ if TYPE_CHECKING:
     from sceneweaver.verify import Report as Report
     from sceneweaver.verify import Violation as Violation
     from sceneweaver.verify import check as check
+    from sceneweaver.verify.home import HomeReport as HomeReport
+    from sceneweaver.verify.home import check_home as check_home
 
     __version__: str
 
@@ -86,6 +88,7 @@ __all__ = [
     "Fault",
     "FurnishedHome",
     "Home",
+    "HomeReport",
     "HomeResult",
     "ImportedScene",
     "InputError",
@@ -117,6 +120,7 @@ __all__ = [
     "build",
     "check",
     "check_gradient",
+    "check_home",
     "compare",
     "compile",
     "define_check",
@@ -155,6 +159,7 @@ _HOME = {
     "Fault": "critic",
     "FurnishedHome": "furnish",
     "Home": "home",
+    "HomeReport": "verify.home",
     "HomeResult": "furnish",
     "ImportedScene": "importers",
     "InputError": "scene",
@@ -185,6 +190,7 @@ _HOME = {
     "build": "building",
     "check": "verify",
     "check_gradient": "extend",
+    "check_home": "verify.home",
     "compare": "evaluation",
     "compile": "layout",
     "define_check": "critic",

@@ -134,7 +134,9 @@ class HomeEnv(gymnasium.Env):
             )
         else:
             given = [episodes] if isinstance(episodes, EpisodeSet | str | os.PathLike) else list(episodes)
-            self.episodes = tuple(one if isinstance(one, EpisodeSet) else load_episodes(os.fspath(one)) for one in given)
+            self.episodes = tuple(
+                one if isinstance(one, EpisodeSet) else load_episodes(os.fspath(one)) for one in given
+            )
             if len(self.episodes) != len(self.homes):
                 raise InputError(f"episodes: {len(self.episodes)} sets for {len(self.homes)} homes; give one for each")
             if len({(one.radius, one.task) for one in self.episodes}) > 1:

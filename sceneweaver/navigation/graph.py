@@ -19,6 +19,7 @@ from .roadmap import Distances, Roadmap
 
 SCHEMA = "sceneweaver.navigation-graph/1"
 
+_AREA = 1e-6  # [m2] of floor at least on which a base stands for a room; the circle of a sliver is not found
 _WITHIN = 0.5  # [m] from the middle of a room or an opening to where a base stands for it
 
 
@@ -221,7 +222,7 @@ def _middle(ways: Ways, room_id: str) -> tuple[float, float, float] | None:
     inside, reached = ways.floors[room.storey].inside[room_id], ways.entered[1]
     some = {k: part for k, part in inside.items() if (room.storey, k) in reached} or inside
     parts = [shapely.intersection(part, outline) for part in some.values()]
-    pieces = [piece for part in parts for piece in shapely.get_parts(part) if piece.geom_type == "Polygon"]
+    pieces = [piece for part in parts for piece in shapely.get_parts(part) if piece.area > _AREA]
     if not pieces:
         return None
     largest = max(pieces, key=lambda piece: (round(piece.area, 9), piece.bounds))

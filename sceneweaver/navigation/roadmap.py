@@ -85,7 +85,7 @@ class Roadmap:
         >>> from sceneweaver.navigation import Roadmap
         >>> roadmap = Roadmap(sw.Home.example("flat"))
         >>> round(roadmap.path((5.4, 1.0), (8.0, 2.0)).length, 2)
-        3.7
+        4.09
     """
 
     def __init__(self, home: Home, radius: float = RADIUS, *, stairs: bool = True, ways: Ways | None = None) -> None:

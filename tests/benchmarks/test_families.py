@@ -43,6 +43,7 @@ TABLES = {
     "odd": {"odd": 3},
     "physics": {"worlds": 2},
     "environments": {"worlds": 1},
+    "navigation": {"homes": 1},
     "pictures": {"pictures": 1},
     "stability": {"rooms": 2, "seeds": 1},
     "openable": {"rooms": 2, "seeds": 1},
@@ -62,7 +63,7 @@ def settings(tmp_path):
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
     *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights", "derivatives"),
-    "prior",
+    *("prior", "navigation"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 

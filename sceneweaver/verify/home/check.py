@@ -54,8 +54,7 @@ def check_home(
 
     Examples:
         >>> import sceneweaver as sw
-        >>> from sceneweaver.verify.home import check_home
-        >>> report = check_home(sw.Home.example("flat"))
+        >>> report = sw.check_home(sw.Home.example("flat"))
         >>> report.valid, report.access.unreached_rooms
         (True, ())
     """

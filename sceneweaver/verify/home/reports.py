@@ -54,9 +54,8 @@ class HomeViolation:
 
     Examples:
         >>> import sceneweaver as sw
-        >>> from sceneweaver.verify.home import check_home
         >>> home = sw.Home.example("flat")
-        >>> [v.detail for v in check_home(home).violations]
+        >>> [v.detail for v in sw.check_home(home).violations]
         []
     """
 
@@ -112,8 +111,7 @@ class HomeReport:
 
     Examples:
         >>> import sceneweaver as sw
-        >>> from sceneweaver.verify.home import check_home
-        >>> report = check_home(sw.Home.example("flat"))
+        >>> report = sw.check_home(sw.Home.example("flat"))
         >>> report.valid, report.access.walkable_share > 0.9, report.counts
         (True, True, {})
     """
