@@ -59,36 +59,45 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
     return _fitted(reading, rooms, free)
 
 
-def balanced(programme: Programme, told: Collection[str]) -> Programme:
+def balanced(programme: Programme, told: Collection[str], area: float | None = None) -> Programme:
     """A programme of several storeys whose rooms fill each of them: all storeys have the outline of the largest.
 
     Args:
         programme: as it was asked for.
         told: ids of rooms whose area was said, which keep it.
+        area: of all rooms [m2], where it was said.
     """
     if programme.storeys == 1:
         return programme
     placed = _spread(programme)
     floors = _floors(programme, placed)
+    goal = max(floors) if area is None else min(area, sum(floors)) / programme.storeys
     usual = {room.id: room.storey for room in programme.with_storeys().rooms}
     moved = {name: storey for name, storey in placed.items() if storey != usual[name]}
+    fixed = _floors(programme, placed, told)
     rooms: list[RoomSpec] = []
     for room in programme.rooms:
-        factor = max(floors) / max(floors[placed[room.id] or 0], 1.0)
-        if room.id in told or factor < 1.0 + EXACT or "outdoor" in room.kind.roles:
-            rooms.append(room.model_copy(update={"storey": moved.get(room.id, room.storey)}))
-            continue
-        least, target, most = room.area
-        new = round(min(target * factor, max(room.kind.area[2], target)), 1)
-        area = (least, new, round(max(most, new * SPREAD[1]), 1))
-        rooms.append(room.model_copy(update={"area": area, "storey": moved.get(room.id, room.storey)}))
+        storey = placed[room.id]
+        free = max(floors[storey] - fixed[storey], 1.0)
+        factor = min(max((goal - fixed[storey]) / free, FITS[0]), FITS[1])
+        update: dict[str, object] = {"storey": moved.get(room.id, room.storey)}
+        if room.id not in told and abs(factor - 1) > EXACT and "outdoor" not in room.kind.roles:
+            update["area"] = _stretched(room, factor)
+        rooms.append(room.model_copy(update=update))
     return programme.model_copy(update={"rooms": tuple(rooms)})
 
 
-def _floors(programme: Programme, placed: Mapping[str, int]) -> list[float]:
-    """Floor of the rooms of each storey [m2]."""
-    indoors = [room for room in programme.rooms if "outdoor" not in room.kind.roles]
-    return [sum(r.area[1] for r in indoors if placed[r.id] == s) for s in range(programme.storeys)]
+def _stretched(room: RoomSpec, factor: float) -> tuple[float, float, float]:
+    """The area of a room whose target is multiplied, up to the most of its type; its ends give way."""
+    least, target, most = room.area
+    new = round(min(target * factor, max(room.kind.area[2], target)), 1)
+    return min(least, round(new * SPREAD[0], 1)), new, round(max(most, new * SPREAD[1]), 1)
+
+
+def _floors(programme: Programme, placed: Mapping[str, int], only: Collection[str] | None = None) -> list[float]:
+    """Floor of the rooms indoors of each storey [m2], of some of them where ids are given."""
+    rooms = [r for r in programme.rooms if "outdoor" not in r.kind.roles and (only is None or r.id in only)]
+    return [sum(r.area[1] for r in rooms if placed[r.id] == s) for s in range(programme.storeys)]
 
 
 def _spread(programme: Programme) -> dict[str, int]:
@@ -129,10 +138,11 @@ def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -
     least, target, most = area
     if size is not None and size > 1.0:
         least = round(usual * CLEARLY, 1)
+        most = max(most, round(least * SPREAD[1], 1))
     elif size is not None and size < 1.0:
         most = round(usual / CLEARLY, 1)
-    target = min(max(target, least), max(most, least))
-    return min(least, most), round(min(target, max(most, least)), 1), max(most, least)
+        least = min(least, round(most * SPREAD[0], 1))
+    return least, min(max(target, least), most), most
 
 
 def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:

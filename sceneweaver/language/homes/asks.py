@@ -49,7 +49,9 @@ def is_home(request: str) -> bool:
         return True
     reading, _ = read_parts(request)
     rooms = [one for one in reading.named if one.of is None and not one.barred and not _beside(reading.tokens, one)]
-    sure = sum(one.count or 2 for one in rooms if not _may_be_part(reading.tokens, one))
+    sure = sum((one.count or 2) * one.times for one in rooms if not _may_be_part(reading.tokens, one))
+    if sure:
+        sure += sum(reading.staff.values())
     if whole:
         many = (people_told(reading) or reading.household or 0) > 2 or (reading.area or (0, 0))[1] > SINGLE
         return many or sure > 0 or (reading.storeys or 1) > 1

@@ -106,7 +106,7 @@ def joined(
     reading: Reading, rooms: list[Room], entrance: str, notes: list[str]
 ) -> tuple[list[Adjacency], list[JointAsked]]:
     """What was said of rooms to each other, as adjacencies of ids: what is open or a door has to be, near and apart are
-    wished."""
+    wished; by the entrance is what has a door to the room that one comes into."""
     found: dict[frozenset[str], Adjacency] = {}
     asked: list[JointAsked] = []
     for joint in sorted(reading.joints, key=lambda j: _ORDER[j.kind]):
@@ -124,7 +124,10 @@ def joined(
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
                 hard = joint.kind in ("door", "open") and joint.hard and _may_join(a, b, rooms)
-                found[key] = Adjacency(a=a, b=b, kind=joint.kind, hard=hard, weight=1.0 if hard else SOFT)
+                at_entrance = joint.b == "entrance" and joint.kind == "near"
+                kind = "door" if at_entrance else joint.kind
+                weight = 1.0 if hard else 2 * SOFT if at_entrance else SOFT
+                found[key] = Adjacency(a=a, b=b, kind=kind, hard=hard, weight=weight)
     return list(found.values()), asked
 
 

@@ -44,8 +44,8 @@ class MeasuredHome:
 
     @property
     def total(self) -> float:
-        """Clear floor of all rooms indoors [m2]."""
-        return sum(self.area(room) for room in self.home.rooms if not room.outdoor)
+        """Clear floor of all rooms indoors [m2], without stairwells."""
+        return sum(self.area(room) for room in self.home.rooms if not room.outdoor and room.type != "stairs")
 
     def level(self, room: HomeRoom) -> int:
         """On which storey a room is: 0 is the one at the ground."""

@@ -58,7 +58,8 @@ def read_home(request: str) -> HomeRequest:
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
     own = _asked(reading, rooms, placed)
-    programme = balanced(programme, {room.id for room in own if room.area is not None})
+    told = {room.id for room in own if room.area is not None or room.size}
+    programme = balanced(programme, told, sum(reading.area) / 2 if reading.area else None)
     return HomeRequest(
         text=request,
         language=said.language,

@@ -175,7 +175,9 @@ def _phrases(raw: Sequence[_Raw], origin: Sequence[int]) -> list[Token]:
             for length in range(min(LONGEST, len(raw) - at), 0, -1):
                 if any(word.kinds and word.text != "/" for word in raw[at : at + length]):
                     continue
-                said = ("place" if word.text == "somewhere" else word.text for word in raw[at : at + length])
+                said = (
+                    "place" if word.text == "somewhere" and length > 1 else word.text for word in raw[at : at + length]
+                )
                 meant = known(" ".join(said))
                 if meant is not None:
                     end, plural = at + length, meant[1]

@@ -82,6 +82,8 @@ def _is_setting(tokens: Sequence[Token], at: int) -> bool:
             continue
         if token.text == "for":
             return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
+        if token.text == "to" and not (tokens[k + 1].text in _DETERMINERS or tokens[k + 1].number is not None):
+            return False  # "we want to share a flat"
         if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
             return not _is_wish_of(tokens, k)
         in_phrase = (

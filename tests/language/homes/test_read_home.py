@@ -90,7 +90,7 @@ def test_areas_of_rooms():
         ("house, a canteen with a kitchen behind it", ("kitchen", "door", "canteen")),
         ("flat, bedroom far from the living room", ("bedroom", "apart", "living_room")),
         ("flat, the bathroom must not be next to the kitchen", ("bathroom", "apart", "kitchen")),
-        ("flat with a study by the entrance and two bedrooms", ("study", "near", "entrance_hall")),
+        ("flat with a study by the entrance and two bedrooms", ("study", "door", "entrance_hall")),
         ("clinic: a lab between the two exam rooms", ("laboratory", "near", "examination_room-2")),
         ("house, two bedrooms, each with its own bathroom", ("bathroom-2", "door", "bedroom-2")),
         ("kindergarten, two group rooms, nap room off each", ("nap_room-2", "door", "kindergarten-2")),
