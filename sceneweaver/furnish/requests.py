@@ -33,6 +33,9 @@ PEOPLE = (4, 6)
 APART = 1.2
 """Distance [m] between the seats around a television and a table to eat at."""
 
+LIVED_IN = "a sofa, a coffee table and a tv"
+"""What a kitchen to eat in holds as well where it is the living room."""
+
 BEDROOMS = ("bedroom", "master_bedroom", "guest_room")
 """Kinds of rooms in which the bed is for one or two, as the floor allows."""
 
@@ -122,6 +125,9 @@ def _usual(place: _Place, beds: Mapping[str, int], table: str, people: int) -> s
         return text if place.area >= EAT_IN else f"{text} with a small dining table and 2 chairs"
     if place.kind == "living_room" and table == place.room.id:
         return f"{text} with a dining table for {people} people at least {APART:g} m away from the coffee table"
+    planned = room_types().get(place.room.type)
+    if place.kind == "kitchen_diner" and planned is not None and "living" in planned.roles:
+        return f"{text} with {LIVED_IN}"
     if place.kind == "hallway" and place.side <= NARROW:
         return f"{text} with only ceiling lights and pictures"
     return text

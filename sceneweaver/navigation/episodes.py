@@ -40,8 +40,8 @@ class Goal:
         object: "room/object".
         category: what it is.
         room: id of its room.
-        position: its origin in the home's frame [3] [m].
-        views: places [3] of the base from which it is in reach, each with the yaw [rad] that looks at it.
+        position: x, y and z [m] of its origin in the home's frame.
+        views: places (x, y, z) of the base from which it is in reach, each with the yaw [rad] that looks at it.
     """
 
     object: str
@@ -57,9 +57,9 @@ class Episode:
 
     Attributes:
         id: its number as text.
-        start: where the base begins [3] [m]; z is the height of the storey's floor.
+        start: x, y and z [m] where the base begins; z is the height of the storey's floor.
         yaw: where it looks [rad], 0 along +x.
-        goal: the point to go to [3]; of a thing to find the nearest place from which one is in reach.
+        goal: the point (x, y, z) to go to; of a thing to find the nearest place from which one is in reach.
         category: the kind of thing to find; None for a point.
         object: "room/object" of the nearest one; None for a point.
         geodesic: length of the shortest way [m].

@@ -210,7 +210,7 @@ class Roadmap:
         return given[:2], best[1]
 
     def slide(self, region: int, start: Array, target: Array) -> tuple[Array, bool]:
-        """Where the base gets [2] that goes straight from a place to another, and whether something is in the way.
+        """Where the base gets, (x, y), that goes straight from a place to another, and whether something is in the way.
 
         Where something is, it goes in short steps, each to the place nearest to where it would have got, and so slides
         along it.
