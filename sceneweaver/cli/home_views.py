@@ -105,16 +105,14 @@ def home_page(home: Home, folder: Path | None = None) -> HomePage:
 
 def _pictures(folder: Path | None, names: Any) -> dict[str, Any]:
     """The pictures of a home that its folder has under ``views``."""
-    from PIL import Image
+    from sceneweaver.io import open_image
 
     found = {}
     for name in names if folder is not None else ():
         path = folder / "views" / f"{name}.png" if folder is not None else Path()
         if path.is_file():
-            with contextlib.suppress(OSError):
-                picture = Image.open(path)
-                picture.load()
-                found[name] = picture
+            with contextlib.suppress(InputError), open_image(path) as picture:
+                found[name] = picture.copy()
     return found
 
 

@@ -11,16 +11,17 @@ from .streams import no_chatter
 
 
 def run_warm(device: str, *, as_json: bool) -> int:
-    """Compile all that designs, refinements, pictures and data sets launch on a device."""
+    """Compile all that designs, plans, refinements, pictures and data sets launch on a device."""
     begun = time.monotonic()
     with no_chatter():
         from sceneweaver.layout.devices import pick_devices
         from sceneweaver.layout.warming import kernel_modules
+        from sceneweaver.plans.solve_run import kernel_modules as plan_modules
         from sceneweaver.render.tracing.tracer import kernel_modules as picture_modules
         from sceneweaver.runtime.compiling import kernel_cache, load
 
         devices = pick_devices(device)
-        modules = {name: [*kernel_modules(name), *picture_modules()] for name in devices}
+        modules = {name: [*kernel_modules(name), *picture_modules(), *plan_modules()] for name in devices}
         compiled = sum(load(name, own) for name, own in modules.items())
         folder = kernel_cache()
     seconds, total = time.monotonic() - begun, len(modules[devices[0]])

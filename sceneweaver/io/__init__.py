@@ -35,6 +35,7 @@ from .reading import sha256_of as sha256_of
 from .references import named_inside as named_inside
 from .references import required_inside as required_inside
 from .tables import load_csv as load_csv
+from .tables import open_csv as open_csv
 from .tables import open_parquet as open_parquet
 from .tables import parquet_rows as parquet_rows
 from .usd import open_stage as open_stage

@@ -30,6 +30,9 @@ MAX_GROUP = 2**31
 
 MAX_COLUMNS = 10_000
 
+MAX_FIELD = 2**24
+"""Characters of one field of a CSV file that is read row by row."""
+
 
 def load_csv(path: Place) -> list[dict[str, str]]:
     """The rows of a CSV file with a header.
@@ -47,6 +50,25 @@ def load_csv(path: Place) -> list[dict[str, str]]:
         raise
     except (ValueError, csv.Error) as error:
         raise InputError(f"{name}: not readable as CSV ({reason(error)})") from error
+
+
+@contextlib.contextmanager
+def open_csv(path: Place, *, max_bytes: int = MAX_TABLE) -> Iterator[csv.DictReader[str]]:
+    """The rows of a CSV file with a header, one by one, so that it may be larger than the memory.
+
+    Args:
+        path: the file; what is no UTF-8 in it is read as replacement characters.
+        max_bytes: a larger one is refused.
+
+    Raises:
+        InputError: as `open_regular`; a field of more than `MAX_FIELD` characters, damaged.
+    """
+    csv.field_size_limit(MAX_FIELD)
+    with open_regular(path, max_bytes) as binary:
+        try:
+            yield csv.DictReader(line.decode("utf-8", "replace") for line in binary)
+        except csv.Error as error:
+            raise InputError(f"{path_name(path)}: not readable as CSV ({reason(error)})") from error
 
 
 @contextlib.contextmanager

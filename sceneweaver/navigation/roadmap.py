@@ -210,14 +210,14 @@ class Roadmap:
         return given[:2], best[1]
 
     def slide(self, region: int, start: Array, target: Array) -> tuple[Array, bool]:
-        """Where the base gets, (x, y), that goes straight from a place to another, and whether something is in the way.
+        """Where the base gets, (x, y), that goes straight from a place to another, and whether something stops it.
 
         Where something is, it goes in short steps, each to the place nearest to where it would have got, and so slides
         along it.
 
         Args:
             region: number of the region, from `region`.
-            start, target: places [2] [m].
+            start, target: places (x, y) [m].
         """
         import shapely
         from shapely.ops import nearest_points

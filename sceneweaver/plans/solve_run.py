@@ -32,6 +32,11 @@ BLOCK = 64
 """Threads of a block on a GPU."""
 
 
+def kernel_modules() -> list[wp.Module]:
+    """The modules of floor plans, to be compiled ahead."""
+    return [kernel.module for kernel in (search_plans, solve_cuts, judge_cells)]
+
+
 def pick_device(device: str) -> str:
     """The Warp device of a name: "auto" is the first GPU, else the CPU.
 

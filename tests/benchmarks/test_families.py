@@ -40,6 +40,7 @@ TABLES = {
     "derivatives": {"kinds": 6},
     "requests": {"requests": 1, "reported": 0},
     "home_requests": {"read": 6},
+    "plans": {"plans": 3},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},
     "environments": {"worlds": 1},
@@ -63,7 +64,7 @@ def settings(tmp_path):
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
     *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights", "derivatives"),
-    *("prior", "navigation"),
+    *("prior", "navigation", "plans"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 

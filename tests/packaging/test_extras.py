@@ -33,6 +33,16 @@ import sceneweaver as sw
 solution = sw.refine(sw.Scene.example("bedroom"), candidates=16, seed=3, device="cpu")
 print("valid:", sw.check(solution.best).valid)
 """
+DXF = """
+import ezdxf, sceneweaver as sw
+drawing = ezdxf.new(units=6)
+walls = [((0, 0), (8, 0)), ((8, 0), (8, 4)), ((8, 4), (0, 4)), ((0, 4), (0, 0)), ((4, 0), (4, 4))]
+for start, end in walls:
+    drawing.modelspace().add_line(start, end, dxfattribs={"layer": "WALLS"})
+drawing.saveas("plan.dxf")
+(found,) = sw.read_homes("plan.dxf")
+print("rooms:", len(found.home.rooms))
+"""
 TORCH = """
 import torch, sceneweaver as sw, sceneweaver.torch as swt
 problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
@@ -107,6 +117,7 @@ USES: dict[str, list[tuple[str | list[str], str]]] = {
     "llm": [(LLM, "answer: steps=0")],
     "mcp": [(MCP, "tools: 22")],
     "prior": [(PRIOR, "steps: 25")],
+    "dxf": [(DXF, "rooms: 2")],
 }
 """What each extra is for: programs and arguments of the command, each with what it prints."""
 

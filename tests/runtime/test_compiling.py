@@ -176,10 +176,11 @@ def test_times_are_those_of_modules():
 
 def test_warming_covers_every_module_that_commands_launch():
     from sceneweaver.layout.warming import kernel_modules
+    from sceneweaver.plans.solve_run import kernel_modules as plan_modules
     from sceneweaver.render.tracing.tracer import kernel_modules as picture_modules
 
     warmed = {variant.module.name for device in ("cpu", "cuda:0") for variant in kernel_modules(device)}
-    warmed |= {module.name for module in picture_modules()}
+    warmed |= {module.name for module in (*picture_modules(), *plan_modules())}
     all_of_them = set()
     for name in warm_kernels.modules():
         if wp.get_module(importlib.import_module(name).__name__).kernels:

@@ -7,17 +7,14 @@ Columns: ``unit_id`` (or ``apartment_id``), ``entity_type`` (area, opening, sepa
 
 from __future__ import annotations
 
-import csv
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import InputError
+from sceneweaver.io import InputError, open_csv
 from sceneweaver.io.messages import path_name, show
-from sceneweaver.io.reading import open_regular
 
 from ..line_plans import rooms_of
 from ..model import ReadOptions, SourceFormat, SourceOpening, SourceRoom
@@ -67,10 +64,7 @@ def matches(path: Path, head: bytes) -> bool:
 def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     """The rooms of the table, flat after flat."""
     where = path_name(path)
-    csv.field_size_limit(min(sys.maxsize, 2**24))
-    with open_regular(path, 2**40) as binary:
-        text = (line.decode("utf-8", "replace") for line in binary)
-        rows = csv.DictReader(text)
+    with open_csv(path) as rows:
         names = rows.fieldnames or []
         shape = next((n for n in ("geometry", "geom") if n in names), None)
         if shape is None or "entity_type" not in names or "entity_subtype" not in names:
