@@ -118,7 +118,7 @@ class Reading:
     l_shape: bool = False
     window_sides: int | None = None
     styles: list[str] = field(default_factory=list[str])
-    loose: list[tuple[str, Span]] = field(default_factory=list[tuple[str, Span]])
+    loose: list[tuple[str, Span, bool]] = field(default_factory=list[tuple[str, Span, bool]])
     """What is asked for and is in no room that is named."""
     unwanted: list[tuple[str, Span]] = field(default_factory=list[tuple[str, Span]])
     """Things that are not wanted."""

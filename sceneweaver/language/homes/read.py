@@ -175,8 +175,10 @@ def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]
             assumed=not named,
             span=named[0].span if named else None,
         )
-    for words, span in reading.loose:
-        for room in _places(words, rooms)[:1]:
+    for words, span, everyone in reading.loose:
+        there = _places(words, rooms)
+        chosen = [room for room in there if room.type == there[0].type] if everyone else there[:1]
+        for room in chosen:
             own[room.id] = replace(own[room.id], wishes=(*own[room.id].wishes, words))
             reading.rows.append((span, "request", f"{words}: in the request of {room.id}"))
     for words, span in reading.unwanted:

@@ -29,6 +29,10 @@ _BEGIN = (
     "no",
 )
 _COPULAS = ("is", "are", "should", "must", "be", "painted", "all", "please", "to", "has")
+_EVERYONE = ("each", "everyone", "everybody", "all")
+REACH = 6
+"""Words before a thing among which the people are whom it is for."""
+
 _STYLE = ("styles", "moods")
 _KEEP_SMALL = ("at", "next", "under", "by", "beside", "behind", "above", "in", "to", "on")
 
@@ -234,10 +238,21 @@ def _loose(reading: Reading, sentence: range) -> None:
         ):
             end -= 1
         words = _words(tokens[start:end])
-        reading.loose.append((words, Span(tokens[start].span.start, tokens[end - 1].span.end)))
+        span = Span(tokens[start].span.start, tokens[end - 1].span.end)
+        reading.loose.append((words, span, _for_everyone(reading, sentence, start)))
         for j in range(start, end):
             reading.did(j, "request")
         at = end
+
+
+def _for_everyone(reading: Reading, sentence: range, at: int) -> bool:
+    """Whether a thing is for each of the people: "each needs a desk", "they all have a desk of their own"."""
+    for k in range(at - 1, max(sentence.start, at - REACH) - 1, -1):
+        if reading.tokens[k].breaks:
+            return False
+        if reading.tokens[k].text.split()[0] in _EVERYONE:
+            return True
+    return False
 
 
 def _styles(reading: Reading) -> None:
