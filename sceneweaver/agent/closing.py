@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sceneweaver.critic import Review
+from sceneweaver.generate.squared import unsquared
 from sceneweaver.runtime.deadline import TimeUp
 from sceneweaver.verify import Report
 
@@ -59,6 +60,8 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
         except TimeUp:
             said.append("things have not settled: time was up")
     best = _seen(run, best)
+    if settings.begin.room is not None:
+        best = replace(best, scene=unsquared(best.scene))
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *run.unmet, *_unmet(best.review))))
     models = use()
     start = _start(run, best)

@@ -29,6 +29,7 @@ from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell_of
+from .squared import squared
 from .stacks import stacked
 from .stated_lengths import with_stated_lengths
 from .stated_states import pulled_out, with_stated_looks, with_stated_states
@@ -319,14 +320,15 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     before = {r.subject for r in relations if r.type == "at_window"}
     lintels = _over_doors(brief, program.wanted, space)
     over, before = over | lintels, before | set(lintels)
+    objects = tuple(
+        _raised(_object(w, space, over.get(w.id, 0.0), w.id not in before, places), levels.get(w.id, 0), space)
+        for w in program.wanted
+    )
     scene = Scene(
         id=room.name,
         prompt=brief.text,
         room=space,
-        objects=tuple(
-            _raised(_object(w, space, over.get(w.id, 0.0), w.id not in before, places), levels.get(w.id, 0), space)
-            for w in program.wanted
-        ),
+        objects=squared(objects, space) if setup.room is not None else objects,
         relations=tuple(relations),
         free_areas=areas,
         palette=palette,

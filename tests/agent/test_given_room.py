@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.relaxation import relaxed
+from sceneweaver.generate.squared import squared
 from sceneweaver.generate.ways import BASE, THROUGH, WAYS, ways_of
 from sceneweaver.language import read_request
 from sceneweaver.scene.finish import FloorFinish, RoomFinish
@@ -20,6 +22,7 @@ SHELL = (
     .with_door(0, at=0.1, swing="out")
     .with_window("west")
 )
+LIVING = sw.Room.rectangle(3.64, 6.2, height=2.7, kind="living_room").with_door("east", at=0.6).with_window("west")
 
 
 def test_a_shell_stays_as_it_is() -> None:
@@ -91,3 +94,13 @@ def test_in_a_fixed_room_what_is_needed_goes_last() -> None:
     free = relaxed(scene, [fault])
     assert fixed is not None and first.id in fixed.scene.ids and len(fixed.scene.ids) < len(scene.ids)
     assert free is not None and first.id not in free.scene.ids
+
+
+def test_large_furniture_stands_square_to_a_shell_and_may_be_turned_later() -> None:
+    result = sw.design("a living room with a sofa and a dining table for 4 people", room=LIVING, seed=7, **FAST)
+    large = [o for o in result.scene.objects if o.category in ("sofa", "dining_table", "tv_stand", "bookcase")]
+    assert len(large) >= 2
+    assert all(abs(math.remainder(o.pose.yaw, math.pi / 2)) < math.radians(0.6) for o in large)
+    assert all(o.yaw_domain is None for o in result.scene.objects)
+    askew = sw.Room.polygon([(0, 0), (4, 1), (3, 5), (-1, 4)])
+    assert squared(result.scene.objects, askew) == result.scene.objects
