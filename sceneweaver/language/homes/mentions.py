@@ -38,12 +38,14 @@ _LISTED = (
 """Names of rooms that are also other words: rooms only in lists."""
 
 _BEHIND_LIST = ("and", "on", "of", "in", "for", "by", "/", "&", "or", "with", "at", "near")
+PLACES_TO_WORK = ("desk", "hot desk", "workplace", "workstation")
+"""Names of places to work: many of them are in one room."""
+
 _ONLY_COUNTED = (
     "room",
     "double",
     "chair",
-    "desk",
-    "hot desk",
+    *PLACES_TO_WORK,
     "shower",
     "flat",
     "hall",
@@ -253,7 +255,7 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
         return (tokens[at].plural or own or told) and not in_one
     if single == "hall" and before is not None:
         return before.breaks or before.number is not None or before.has("function", "own", "size", "soft")
-    if single in ("double", "chair", "desk", "hot desk", "shower"):
+    if single in ("double", "chair", *PLACES_TO_WORK, "shower"):
         return tokens[at].plural or (single == "double" and counted)
     return True
 
@@ -304,7 +306,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     _places_in(reading, found)
     if found.told == "" and not token.plural:
         found.count = 1
-    if said in ("desk", "hot desk"):  # places to work in one room
+    if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
         found.count, found.told = 1, ""
     for k in range(found.first, found.last + 1):
