@@ -194,6 +194,8 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         and not (after is None or after.breaks or after.has("joint") or after.text in (*_BEHIND_LIST, *_PLACES))
     ):
         return None
+    if at and _is_compound_thing(tokens[at - 1], token):
+        return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and (done := _by_activity(reading, at)) is not None:
@@ -341,6 +343,12 @@ def _noun(kind: RoomKind, said: str) -> str:
 def _heads(token: Token) -> bool:
     """Whether the name of a room before a word only says which: "kitchen table"."""
     return is_thing(token) and "verb" not in vocabulary().get(token.text, {})
+
+
+def _is_compound_thing(before: Token, token: Token) -> bool:
+    """Whether a word that may be a room ends the name of a thing: "grab bars", "breakfast bar"."""
+    kinds = vocabulary().get(f"{plain(before.text)} {plain(token.text)}", {})
+    return "noun" in kinds and "room" not in kinds
 
 
 def is_thing(token: Token) -> bool:

@@ -204,12 +204,18 @@ def _whose(reading: Reading, room: Room) -> str:
     return ""
 
 
+_BEHIND_HEAD = ("with", "for", "of", "by", "in", "on", "under", "at", "to")
+"""Words that end the head of a thing's name."""
+
+
 def _places(words: str, rooms: list[Room]) -> list[Room]:
     """The rooms in which a thing usually is, else the one where people live."""
     from sceneweaver.knowledge.likely import likeliest_room, told_by
     from sceneweaver.knowledge.load import room_types
 
     spoken_words = words.split()
+    ends = [k for k, word in enumerate(spoken_words) if word in _BEHIND_HEAD and k]
+    spoken_words = spoken_words[: ends[0]] if ends else spoken_words  # "a shower with a seat" goes where showers do
     pairs = [" ".join(two) for two in zip(spoken_words, spoken_words[1:], strict=False)]
     nouns = [w for w in (*pairs, *spoken_words) if "noun" in vocabulary().get(w, {})]
     categories = {category_of(str(vocabulary()[w]["noun"])) for w in nouns}
