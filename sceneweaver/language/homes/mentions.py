@@ -194,7 +194,7 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         and not (after is None or after.breaks or after.has("joint") or after.text in (*_BEHIND_LIST, *_PLACES))
     ):
         return None
-    if at and _is_compound_thing(tokens[at - 1], token):
+    if at and (_is_compound_thing(tokens[at - 1], token) or _worked_in(tokens, at)):
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
@@ -343,6 +343,18 @@ def _noun(kind: RoomKind, said: str) -> str:
 def _heads(token: Token) -> bool:
     """Whether the name of a room before a word only says which: "kitchen table"."""
     return is_thing(token) and "verb" not in vocabulary().get(token.text, {})
+
+
+def _worked_in(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a room is where somebody works elsewhere: "I work nights on a ward", but not "works in the study"."""
+    if at < 3 or tokens[at - 1].text not in ("a", "an") or tokens[at - 2].text not in ("at", "in", "on"):
+        return False
+    for token in reversed(tokens[max(0, at - 6) : at - 2]):
+        if token.breaks:
+            return False
+        if token.text in ("work", "works", "working", "worked"):
+            return True
+    return False
 
 
 def _is_compound_thing(before: Token, token: Token) -> bool:

@@ -278,7 +278,7 @@ def _is_style(token: Token) -> bool:
 def _words(tokens: tuple[Token, ...] | list[Token]) -> str:
     """Words as they are said, without what ends or begins a clause for nothing."""
     said = [t.text for t in tokens]
-    while said and said[0] in ("and", "has", "have", "plus", "it", "that", "which", "is"):
+    while said and said[0] in ("so", "and", "has", "have", "plus", "it", "that", "which", "is"):
         said.pop(0)
     while said and said[-1] in ("and", "or", "too", "please", "also"):
         said.pop()
