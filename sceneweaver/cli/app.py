@@ -268,9 +268,10 @@ def check(
 ) -> int:
     """Judge a scene: collisions, bounds, support, zones, relations; or a home. Changes nothing."""
     from .check import run_check
-    from .homes import is_home_file, run_check_home
+    from .home_views import holds_home
+    from .homes import run_check_home
 
-    if is_home_file(source):
+    if holds_home(source):
         if meshes is not None or picture is not None:
             raise InputError("--meshes and --picture are for single rooms; give the scene.json of one")
         return run_check_home(

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from sceneweaver.home import Home, is_home
-from sceneweaver.io import MAX_BYTES, own_folder, parse_json, read_bytes, write_atomic
+from sceneweaver.home import Home
+from sceneweaver.io import own_folder, write_atomic
 from sceneweaver.runtime.deadline import stoppable
 from sceneweaver.runtime.options import DesignOptions, defaults_of
 from sceneweaver.scene import InputError
@@ -190,14 +190,6 @@ def run_check_home(
     until.tell()
     list_files([metrics] if metrics is not None else [])
     return code
-
-
-def is_home_file(path: Path) -> bool:
-    """Whether a file says that it is a home; what is wrong with another one says who reads it as a scene."""
-    try:
-        return is_home(parse_json(read_bytes(path, max_bytes=MAX_BYTES)))
-    except InputError:
-        return False
 
 
 def exit_code(result: HomeResult) -> int:
