@@ -63,7 +63,7 @@ class Episode:
         category: the kind of thing to find; None for a point.
         object: "room/object" of the nearest one; None for a point.
         geodesic: length of the shortest way [m].
-        path: its corners [K][3].
+        path: its corners, (x, y, z) each.
     """
 
     id: str
