@@ -15,7 +15,7 @@ from sceneweaver.assets import Library
 from sceneweaver.export import format_named, formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
-from sceneweaver.language.homes import HomeRequest, is_home, read_home
+from sceneweaver.language.homes import HomeRequest, demands, is_home, read_home
 from sceneweaver.language.homes import room_requests as told_requests
 from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, envelope_for
 from sceneweaver.runtime.deadline import Deadline, Stop
@@ -187,6 +187,11 @@ class _Asked:
         """By room, what the request says of it."""
         return told_requests(self.request, home, told_only=True) if self.request is not None else {}
 
+    def unmet(self, home: Home) -> list[str]:
+        """What the request asks for and the finished home, measured anew, does not have."""
+        found = demands(self.request, home) if self.request is not None else ()
+        return [f"{one.words}: {one.status}, {one.detail}" for one in found if one.status != "met"]
+
     @property
     def style(self) -> str:
         """The words for the look of all rooms, as a request."""
@@ -270,6 +275,7 @@ class _Run:
                 self.folder.keep(done.jobs[name], room)
         unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
         failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
+        failed += self.asked.unmet(done.home)
         return HomeResult(
             done.home,
             report,

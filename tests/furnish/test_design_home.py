@@ -10,6 +10,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.furnish import asks_for_home, design
+from sceneweaver.furnish.design import _Asked
 from sceneweaver.furnish.folder import HomeFolder, room_folder
 from sceneweaver.furnish.home import FurnishedHome, room_jobs
 from sceneweaver.furnish.jobs import FurnishedRoom
@@ -154,3 +155,10 @@ def test_a_folder_of_a_room_is_no_place_for_a_home(tmp_path: Path) -> None:
 def test_what_is_a_home() -> None:
     assert asks_for_home("a two-bedroom flat with a big kitchen")
     assert not asks_for_home("a bedroom with a desk by the window")
+
+
+def test_what_was_asked_for_is_measured_in_the_finished_home() -> None:
+    asked = _Asked.of("a flat with three bedrooms and two bathrooms", None, None, None)
+    said = asked.unmet(sw.Home.example("flat"))
+    assert any("bath" in line and ("not met" in line or "partly" in line) for line in said)
+    assert _Asked.of("a flat with two bedrooms", None, None, None).unmet(sw.Home.example("flat")) == []

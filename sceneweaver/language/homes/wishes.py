@@ -57,6 +57,8 @@ def _unwanted(reading: Reading, sentence: range) -> None:
         for k in range(at + 1, min(at + 12, sentence.stop)):
             token = tokens[k]
             named = next((one for one in reading.named if one.first <= k <= one.last and one.of is None), None)
+            if named is not None and named.first == at + 1:  # right behind it: nothing else can be said of the room
+                reading.joints = [j for j in reading.joints if j.a is not named and j.b is not named]
             if named is not None and barring and not any(j.a is named or j.b is named for j in reading.joints):
                 if named.told in ("", "article") and k == named.at:
                     named.barred = True
