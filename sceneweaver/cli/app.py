@@ -25,11 +25,11 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from sceneweaver.export.formats import FORMATS, USUAL
+from sceneweaver.io import InputError
 from sceneweaver.runtime.compiling import watched_by
 from sceneweaver.runtime.deadline import process_began
 from sceneweaver.runtime.options import takes
 from sceneweaver.runtime.package import missing_module
-from sceneweaver.scene import InputError
 
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
