@@ -22,7 +22,7 @@ from sceneweaver.verify.home import HomeReport, Ways, check_home
 from ..homes.files import home_columns, map_files, report_columns
 from ..spec import Homes
 from .findings import Findings
-from .scene import APART, Judge, glb_files, glb_frames, glb_json, mjcf_files, mjcf_frames, mjcf_tree
+from .scene import APART, Judge
 
 LONGER = 1e-3
 """How far [m] the shortest way of an episode may be from what is recorded: rounding of its ends."""
@@ -61,7 +61,7 @@ class HomeJudge(Judge):
             found.fault("record", key, line)
         for line in (*_rooms(home, files), *self._navigation(home, files)):
             found.fault("record", key, line)
-        self._exported(row, home, files, found)
+        self.exports(row, files, found, lambda frames: _misplaced(home, frames))
         return None
 
     def _plan(self, row: Mapping[str, Any], home: Home) -> PlanReport:
@@ -89,26 +89,6 @@ class HomeJudge(Judge):
                     yield str(error).removeprefix(f"{folder}/")
                     continue
             yield from _longer(name, episodes, roadmap)
-
-    def _exported(self, row: Mapping[str, Any], home: Home, files: Mapping[str, bytes], found: Findings) -> None:
-        """Files of the store that are named, and where objects are."""
-        key = row["key"]
-        for suffix, read, names, frames in (
-            ("glb", glb_json, glb_files, glb_frames),
-            ("xml", mjcf_tree, mjcf_files, mjcf_frames),
-        ):
-            if suffix not in files:
-                continue
-            try:
-                document: Any = read(files[suffix])
-                lines = list(_misplaced(home, frames(document)))
-                self.named(row, suffix, set(names(document)), found)
-            except (InputError, ArithmeticError, LookupError, TypeError, ValueError) as error:
-                found.fault("export", key, f"{suffix}: {error}")
-                continue
-            found.counts[f"{suffix} read"] += 1
-            for line in lines[:3]:
-                found.fault("export", key, f"{suffix}: {line}")
 
 
 def _longer(name: str, episodes: EpisodeSet, roadmap: Roadmap) -> Iterator[str]:

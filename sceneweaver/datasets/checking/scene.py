@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -206,7 +206,7 @@ class Judge:
             suffix = SUFFIXES.get(name)
             if suffix is not None and suffix not in files:
                 found.fault("export", key, f"has no {suffix}")
-        self._exports(row, scene, files, found)
+        self.exports(row, files, found, lambda frames: misplaced(scene, frames))
 
     def simulate(self, key: str, content: bytes, seconds: float, found: Findings) -> None:
         """Compile the MJCF file of a scene and let it loose for a time; 0: only compile it."""
@@ -233,8 +233,14 @@ class Judge:
             found.fault("stability", key, f"{name} moves {far:.3f} m; {self.still:g} m are allowed")
         return None
 
-    def _exports(self, row: Mapping[str, Any], scene: Scene, files: Mapping[str, bytes], found: Findings) -> None:
-        """Files of the store that are named, and where objects are."""
+    def exports(
+        self,
+        row: Mapping[str, Any],
+        files: Mapping[str, bytes],
+        found: Findings,
+        misplaced: Callable[[Mapping[str, np.ndarray]], Iterator[str]],
+    ) -> None:
+        """Files of the store that are named, and where objects are: lines of ``misplaced`` about a file's frames."""
         key = row["key"]
         for suffix, read, names, frames in (
             ("glb", glb_json, glb_files, glb_frames),
@@ -244,7 +250,7 @@ class Judge:
                 continue
             try:
                 document: Any = read(files[suffix])
-                lines = list(misplaced(scene, frames(document)))
+                lines = list(misplaced(frames(document)))
                 self.named(row, suffix, set(names(document)), found)
             except (InputError, ArithmeticError, LookupError, TypeError, ValueError) as error:
                 found.fault("export", key, f"{suffix}: {error}")
