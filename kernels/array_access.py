@@ -19,6 +19,7 @@ ALIGNED = {
     wp.vec3: 4,
     wp.vec3i: 4,
     wp.vec4: 16,
+    wp.vec4i: 16,
 }
 READ = """
     auto at = static_cast<decltype(a.data)>(__builtin_assume_aligned({at}, {align}));

@@ -8,7 +8,8 @@ diagonal of the Gauss-Newton matrix, and is projected onto what the least sides 
 
 import warp as wp
 
-from .plan_geometry import FAR, facade_overlap, gaps, has, lacking, owner_of, takes_doors
+from .array_access import item
+from .plan_geometry import FAR, facade_overlap, gaps, has, lacking, next_cell, takes_doors
 from .plan_measures import hard_of, measure_plan, window_need
 from .plan_openings import openings_fail
 from .plan_tables import (
@@ -25,7 +26,7 @@ from .plan_tables import (
     NEAR,
     RULE_COUNT,
     WINDOWS,
-    PlanProblem,
+    PlanProblemRef,
     PlanState,
 )
 from .plan_tree import lay_out, measure_trees
@@ -95,7 +96,7 @@ def on_one_cut(cell_bounds: wp.array(dtype=wp.vec4i), cells: wp.int32, i: wp.int
 
 @wp.func
 def pull_overlap(
-    p: PlanProblem,
+    p: PlanProblemRef,
     cell_bounds: wp.array(dtype=wp.vec4i),
     i: wp.int32,
     a: wp.vec4i,
@@ -113,19 +114,19 @@ def pull_overlap(
     if e > 0.0:
         e += MARGIN
         if a[axis + 2] <= b[axis + 2]:
-            pull(cell_bounds, p.cells, i, axis + 2, e, -1.0, 4.0, gradient, curvature)
-        if b[axis + 2] <= a[axis + 2] and not on_one_cut(cell_bounds, p.cells, i, j, axis + 2):
-            pull(cell_bounds, p.cells, j, axis + 2, e, -1.0, 4.0, gradient, curvature)
+            pull(cell_bounds, p[0].cells, i, axis + 2, e, -1.0, 4.0, gradient, curvature)
+        if b[axis + 2] <= a[axis + 2] and not on_one_cut(cell_bounds, p[0].cells, i, j, axis + 2):
+            pull(cell_bounds, p[0].cells, j, axis + 2, e, -1.0, 4.0, gradient, curvature)
         if a[axis] >= b[axis]:
-            pull(cell_bounds, p.cells, i, axis, e, 1.0, 4.0, gradient, curvature)
-        if b[axis] >= a[axis] and not on_one_cut(cell_bounds, p.cells, i, j, axis):
-            pull(cell_bounds, p.cells, j, axis, e, 1.0, 4.0, gradient, curvature)
+            pull(cell_bounds, p[0].cells, i, axis, e, 1.0, 4.0, gradient, curvature)
+        if b[axis] >= a[axis] and not on_one_cut(cell_bounds, p[0].cells, i, j, axis):
+            pull(cell_bounds, p[0].cells, j, axis, e, 1.0, 4.0, gradient, curvature)
     return wp.max(e, 0.0)
 
 
-@wp.func(inline=False)
+@wp.func
 def pull_rooms(
-    p: PlanProblem,
+    p: PlanProblemRef,
     count: wp.int32,
     frame: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -137,13 +138,13 @@ def pull_rooms(
 ):
     """Residuals of rooms by themselves: floor, shape, light. Gives half their weighted sum of squares."""
     cost = float(0.0)
-    for i in range(p.cells):
+    for i in range(p[0].cells):
         if storey[i] >= 0:
-            r = p.cell_room[i]
+            r = item(p[0].cell_room, i)
             c = cells[i]
             w = 0.001 * float(c[2] - c[0])
             h = 0.001 * float(c[3] - c[1])
-            limits = p.room_area[r]
+            limits = item(p[0].room_area, r)
             floor = 1.0e-6 * float(area[r])
             low = 1.0e-6 * float(limits[0])
             high = 1.0e-6 * float(limits[2])
@@ -156,43 +157,43 @@ def pull_rooms(
                 if k == 1:
                     residual = off
                     weight = WANTED
-                pull(cell_bounds, p.cells, i, 0, residual, -h, weight, gradient, curvature)
-                pull(cell_bounds, p.cells, i, 2, residual, h, weight, gradient, curvature)
-                pull(cell_bounds, p.cells, i, 1, residual, -w, weight, gradient, curvature)
-                pull(cell_bounds, p.cells, i, 3, residual, w, weight, gradient, curvature)
-                if i < p.rooms:
+                pull(cell_bounds, p[0].cells, i, 0, residual, -h, weight, gradient, curvature)
+                pull(cell_bounds, p[0].cells, i, 2, residual, h, weight, gradient, curvature)
+                pull(cell_bounds, p[0].cells, i, 1, residual, -w, weight, gradient, curvature)
+                pull(cell_bounds, p[0].cells, i, 3, residual, w, weight, gradient, curvature)
+                if i < p[0].rooms:
                     cost += 0.5 * weight * residual * residual
-            if i < p.rooms:
-                ratio = 0.001 * float(p.room_aspect[r][0])
+            if i < p[0].rooms:
+                ratio = 0.001 * float(item(p[0].room_aspect, r)[0])
                 axis = wp.where(w > h, 0, 1)
                 over = wp.max(w, h) - ratio * wp.min(w, h)
                 if over > 0.0:
                     over += MARGIN
-                    pull(cell_bounds, p.cells, i, axis + 2, over, 1.0, 1.0, gradient, curvature)
-                    pull(cell_bounds, p.cells, i, axis, over, -1.0, 1.0, gradient, curvature)
-                    pull(cell_bounds, p.cells, i, 3 - axis, over, -ratio, 1.0, gradient, curvature)
-                    pull(cell_bounds, p.cells, i, 1 - axis, over, ratio, 1.0, gradient, curvature)
+                    pull(cell_bounds, p[0].cells, i, axis + 2, over, 1.0, 1.0, gradient, curvature)
+                    pull(cell_bounds, p[0].cells, i, axis, over, -1.0, 1.0, gradient, curvature)
+                    pull(cell_bounds, p[0].cells, i, 3 - axis, over, -ratio, 1.0, gradient, curvature)
+                    pull(cell_bounds, p[0].cells, i, 1 - axis, over, ratio, 1.0, gradient, curvature)
                     cost += 0.5 * over * over
-            if has(p, r, GLAZED | LIT) and i < p.rooms:
-                need = int(p.least_window)
+            if has(p, r, GLAZED | LIT) and i < p[0].rooms:
+                need = int(p[0].least_window)
                 if has(p, r, GLAZED):
                     need = wp.max(need, window_need(p, area[r]))
                 best = int(-1)
                 longest = int(0)
-                for f in range(p.facade.shape[0]):
-                    if (p.facade_flags[f] & WINDOWS) != 0:
-                        s = facade_overlap(p.facade[f], c)
+                for f in range(p[0].facade.shape[0]):
+                    if (item(p[0].facade_flags, f) & WINDOWS) != 0:
+                        s = facade_overlap(item(p[0].facade, f), c)
                         if s[1] - s[0] > longest:
                             longest = s[1] - s[0]
                             best = f
                 if best >= 0:
-                    facade = p.facade[best]
+                    facade = item(p[0].facade, best)
                     along = 1 - facade[0] % 2
                     wall = c
                     wall[along] = facade[2]
                     wall[along + 2] = facade[3]
                     e = pull_overlap(
-                        p, cell_bounds, i, c, MAX_CELLS, wall, along, need + 2 * p.pier, gradient, curvature
+                        p, cell_bounds, i, c, MAX_CELLS, wall, along, need + 2 * p[0].pier, gradient, curvature
                     )
                     cost += 2.0 * e * e
     return cost
@@ -200,7 +201,7 @@ def pull_rooms(
 
 @wp.func
 def pull_door(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -216,24 +217,28 @@ def pull_door(
     least = int(FAR)
     best_i = int(-1)
     best_j = int(-1)
-    for i in range(count):
-        if storey[i] >= 0 and owner_of(p, frame, i) == a and takes_doors(p, frame, i):
-            for j in range(count):
-                if storey[j] == storey[i] and owner_of(p, frame, j) == b and takes_doors(p, frame, j):
+    i = next_cell(p, frame, count, storey, a, -1)
+    while i < count:
+        if takes_doors(p, frame, i):
+            j = next_cell(p, frame, count, storey, b, -1)
+            while j < count:
+                if storey[j] == storey[i] and takes_doors(p, frame, j):
                     lack = lacking(p, cells[i], cells[j], need)
                     if lack < least:
                         least = lack
                         best_i = i
                         best_j = j
+                j = next_cell(p, frame, count, storey, b, j)
+        i = next_cell(p, frame, count, storey, a, i)
     if best_i < 0 or least == 0:
         return 0.0
     ca = cells[best_i]
     cb = cells[best_j]
     d = gaps(ca, cb)
     axis = int(-1)
-    if d[0] == p.inner:
+    if d[0] == p[0].inner:
         axis = 1
-    if d[1] == p.inner and (axis < 0 or d[0] < d[1]):
+    if d[1] == p[0].inner and (axis < 0 or d[0] < d[1]):
         axis = 0
     if axis < 0:
         return 0.0
@@ -241,9 +246,9 @@ def pull_door(
     return 2.0 * e * e
 
 
-@wp.func(inline=False)
+@wp.func
 def pull_ways(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -255,25 +260,25 @@ def pull_ways(
 ):
     """Residuals of walls that doors are to be in: those asked for, those found, the entrance's, ways within a room."""
     cost = float(0.0)
-    for k in range(p.adjacency.shape[0]):
-        x = p.adjacency[k]
-        if x[2] != NEAR and x[2] != APART and p.adjacency_weight[k] < 0.0:
-            need = x[3] + 2 * p.jamb
+    for k in range(p[0].adjacency.shape[0]):
+        x = item(p[0].adjacency, k)
+        if x[2] != NEAR and x[2] != APART and item(p[0].adjacency_weight, k) < 0.0:
+            need = x[3] + 2 * p[0].jamb
             cost += pull_door(p, frame, count, cells, storey, cell_bounds, x[0], x[1], need, gradient, curvature)
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         a = parent[r]
         if a >= 0:
-            need = wp.min(p.room_door[a], p.room_door[r]) + 2 * p.jamb
+            need = wp.min(item(p[0].room_door, a), item(p[0].room_door, r)) + 2 * p[0].jamb
             cost += pull_door(p, frame, count, cells, storey, cell_bounds, a, r, need, gradient, curvature)
-    need = p.entrance_door + 2 * p.jamb
+    need = p[0].entrance_door + 2 * p[0].jamb
     longest = int(-FAR)
     best_i = int(-1)
     best_f = int(-1)
-    for i in range(p.cells):
-        if storey[i] == 0 and p.cell_room[i] == p.entrance:
-            for f in range(p.facade.shape[0]):
-                facade = p.facade[f]
-                if (p.facade_flags[f] & ENTRANCE) != 0 and cells[i][facade[0]] == facade[1]:
+    for i in range(p[0].cells):
+        if storey[i] == 0 and item(p[0].cell_room, i) == p[0].entrance:
+            for f in range(p[0].facade.shape[0]):
+                facade = item(p[0].facade, f)
+                if (item(p[0].facade_flags, f) & ENTRANCE) != 0 and cells[i][facade[0]] == facade[1]:
                     along = 1 - facade[0] % 2
                     long = wp.min(cells[i][along + 2], facade[3]) - wp.max(cells[i][along], facade[2])
                     if long > longest:
@@ -281,20 +286,22 @@ def pull_ways(
                         best_i = i
                         best_f = f
     if best_i >= 0:
-        facade = p.facade[best_f]
+        facade = item(p[0].facade, best_f)
         along = 1 - facade[0] % 2
         wall = cells[best_i]
         wall[along] = facade[2]
         wall[along + 2] = facade[3]
         e = pull_overlap(p, cell_bounds, best_i, cells[best_i], MAX_CELLS, wall, along, need, gradient, curvature)
         cost += 2.0 * e * e
-    for i in range(p.rooms, p.cells):
-        j = p.cell_room[i]
+    for i in range(p[0].rooms, p[0].cells):
+        j = item(p[0].cell_room, i)
         if storey[i] >= 0:
             d = gaps(cells[i], cells[j])
-            if d[0] == p.inner or d[1] == p.inner:
-                axis = wp.where(d[0] == p.inner and d[1] <= d[0], 1, 0)
-                e = pull_overlap(p, cell_bounds, i, cells[i], j, cells[j], axis, p.room_side[j], gradient, curvature)
+            if d[0] == p[0].inner or d[1] == p[0].inner:
+                axis = wp.where(d[0] == p[0].inner and d[1] <= d[0], 1, 0)
+                e = pull_overlap(
+                    p, cell_bounds, i, cells[i], j, cells[j], axis, item(p[0].room_side, j), gradient, curvature
+                )
                 cost += 2.0 * e * e
     return cost
 
@@ -302,7 +309,7 @@ def pull_ways(
 @wp.kernel
 def solve_cuts(
     # Problem:
-    p: PlanProblem,
+    p: PlanProblemRef,
     steps: wp.int32,
     # State in:
     active: wp.array(dtype=wp.int32),
@@ -345,10 +352,10 @@ def solve_cuts(
     for k in range(n):
         code[k] = s.code[candidate, k]
         cut[k] = s.cut[candidate, k]
-    for k in range(p.cells):
+    for k in range(p[0].cells):
         weight[k] = s.weight[candidate, k]
     measure_trees(p, code, n, weight, end, least, share)
-    roots = p.bay_start[frame + 1] - p.bay_start[frame]
+    roots = item(p[0].bay_start, frame + 1) - item(p[0].bay_start, frame)
     bound_cuts(code, n, roots, end, bounds, cell_bounds)
     lowest = s.energy[candidate]
     for step in range(steps + 1):
@@ -361,7 +368,7 @@ def solve_cuts(
                 p, frame, count, cells, storey, area, must, parent,
                 leaves, leaf_level, fronts, front_level, record, doors, windows,
             )  # fmt: skip
-            energy += HARD_WEIGHT * failed + p.weights[4] * ends
+            energy += HARD_WEIGHT * failed + p[0].weights[4] * ends
         if energy < lowest:
             lowest = energy
             for k in range(n):

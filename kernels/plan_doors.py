@@ -7,8 +7,9 @@ leaves and of what lies right before other doors.
 
 import warp as wp
 
+from .array_access import item
 from .plan_geometry import facade_overlap, has, owner_of, shared_wall, takes_doors
-from .plan_tables import CIRCULATION, ENTRANCE, HINGED, MAX_DOORS, OPEN, PASSAGE, SLIDES, SLIDING, PlanProblem
+from .plan_tables import CIRCULATION, ENTRANCE, HINGED, MAX_DOORS, OPEN, PASSAGE, SLIDES, SLIDING, PlanProblemRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -65,9 +66,9 @@ def hinge_of(side: wp.int32, at_low: wp.bool):
     return 0
 
 
-@wp.func(inline=False)
+@wp.func
 def place_door(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -95,33 +96,33 @@ def place_door(
             ca = cells[i]
             others = count
             if b < 0:
-                others = p.facade.shape[0]
+                others = p[0].facade.shape[0]
             for j in range(others):
                 low = int(0)
                 high = int(0)
                 side = int(0)
                 cb = empty
                 if b < 0:
-                    if (p.facade_flags[j] & ENTRANCE) != 0 and storey[i] == 0:
-                        s = facade_overlap(p.facade[j], ca)
+                    if (item(p[0].facade_flags, j) & ENTRANCE) != 0 and storey[i] == 0:
+                        s = facade_overlap(item(p[0].facade, j), ca)
                         low = s[0]
                         high = s[1]
-                        side = p.facade[j][0]
+                        side = item(p[0].facade, j)[0]
                 elif storey[j] == storey[i] and owner_of(p, frame, j) == b and takes_doors(p, frame, j):
                     cb = cells[j]
-                    if shared_wall(p, ca, cb) > 0:
-                        axis = wp.where(cb[0] - ca[2] == p.inner or ca[0] - cb[2] == p.inner, 0, 1)
-                        if axis == 1 and not (cb[1] - ca[3] == p.inner or ca[1] - cb[3] == p.inner):
+                    if shared_wall(ca, cb, p[0].inner) > 0:
+                        axis = wp.where(cb[0] - ca[2] == p[0].inner or ca[0] - cb[2] == p[0].inner, 0, 1)
+                        if axis == 1 and not (cb[1] - ca[3] == p[0].inner or ca[1] - cb[3] == p[0].inner):
                             axis = 0
                         side = wp.where(cb[axis] > ca[axis], axis + 2, axis)
                         low = wp.max(ca[1 - axis], cb[1 - axis])
                         high = wp.min(ca[3 - axis], cb[3 - axis])
-                if high - low >= width + 2 * p.jamb:
+                if high - low >= width + 2 * p[0].jamb:
                     axis = side % 2
                     face_a = ca[side]
                     opposite = (side + 2) % 4
                     for place in range(3):
-                        at = door_place(low, high, width, p.jamb, place)
+                        at = door_place(low, high, width, p[0].jamb, place)
                         front_a = before_wall(side, face_a, at, width, APPROACH)
                         front_b = empty
                         if b >= 0:
@@ -190,10 +191,10 @@ def place_door(
 
 
 @wp.func
-def kind_between(p: PlanProblem, a: wp.int32, b: wp.int32):
+def kind_between(p: PlanProblemRef, a: wp.int32, b: wp.int32):
     """What joins two rooms whose door an adjacency asks for: its kind and width [mm]; -1: nothing asks for one."""
-    for k in range(p.adjacency.shape[0]):
-        x = p.adjacency[k]
+    for k in range(p[0].adjacency.shape[0]):
+        x = item(p[0].adjacency, k)
         if (x[0] == a and x[1] == b) or (x[0] == b and x[1] == a):
             if x[2] == OPEN:
                 return PASSAGE, x[3]
@@ -202,9 +203,9 @@ def kind_between(p: PlanProblem, a: wp.int32, b: wp.int32):
     return -1, 0
 
 
-@wp.func(inline=False)
+@wp.func
 def place_doors(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -221,25 +222,25 @@ def place_doors(
     """Place the entrance's door and all others; how many, and how many found no place."""
     n = int(0)
     failed = int(0)
-    for turn in range(p.rooms + 1):
+    for turn in range(p[0].rooms + 1):
         b = turn - 1
         first = int(0)
-        last = int(p.rooms)
+        last = int(p[0].rooms)
         if turn == 0:
             last = 1
         for o in range(first, last):
             a = int(o)
             wanted = turn == 0
             kind = int(HINGED)
-            width = int(p.entrance_door)
+            width = int(p[0].entrance_door)
             if turn == 0:
-                a = p.entrance
+                a = p[0].entrance
             else:
                 asked = ((must[b] >> a) & 1) != 0 and a < b
                 led = parent[b] == a and ((must[b] >> a) & 1) == 0
                 wanted = asked or led
                 if wanted:
-                    width = wp.min(p.room_door[a], p.room_door[b])
+                    width = wp.min(item(p[0].room_door, a), item(p[0].room_door, b))
                     if asked:
                         of, wide = kind_between(p, a, b)
                         if of >= 0:
@@ -253,7 +254,7 @@ def place_doors(
                     from_ = a
                     to = b
                     if b >= 0:
-                        if p.room_rank[a] > p.room_rank[b]:
+                        if item(p[0].room_rank, a) > item(p[0].room_rank, b):
                             from_ = b
                             to = a
                     penalty = place_door(

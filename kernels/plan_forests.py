@@ -2,7 +2,8 @@
 
 import warp as wp
 
-from .plan_tables import CIRCULATION, CUT_X, CUT_Y, PlanProblem
+from .array_access import item
+from .plan_tables import CIRCULATION, CUT_X, CUT_Y, PlanProblemRef
 from .plan_tree import insert_beside, subtree_end
 from .sample import pick, uniform
 
@@ -12,9 +13,9 @@ SPINES = wp.constant(0.7)  # of the bays with a hall begin with rooms in rows al
 
 
 @wp.func
-def may_lie(p: PlanProblem, cell: wp.int32, storey: wp.int32):
+def may_lie(p: PlanProblemRef, cell: wp.int32, storey: wp.int32):
     """Whether a cell may lie on a storey."""
-    return ((p.room_storeys[p.cell_room[cell]] >> storey) & 1) != 0
+    return ((item(p[0].room_storeys, item(p[0].cell_room, cell)) >> storey) & 1) != 0
 
 
 @wp.func
@@ -38,7 +39,7 @@ def append_row(
 
 @wp.func
 def append_spine(
-    p: PlanProblem,
+    p: PlanProblemRef,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
     hall: wp.int32,
@@ -49,12 +50,12 @@ def append_spine(
     """Append a tree in which a hall lies between two rows of rooms, shared out by their floor; give the new length."""
     total = float(0.0)
     for k in range(m):
-        total += float(p.room_area[piece[k]][1])
+        total += float(item(p[0].room_area, piece[k])[1])
     half = total * (0.3 + 0.4 * uniform(rng))
     split = int(0)
     sum = float(0.0)
     while split < m and sum < half:
-        sum += float(p.room_area[piece[split]][1])
+        sum += float(item(p[0].room_area, piece[split])[1])
         split += 1
     axis = pick(rng, 2)
     code[n] = CUT_X + axis
@@ -66,9 +67,9 @@ def append_spine(
     return append_row(code, n + 1, CUT_Y - axis, piece, split, m)
 
 
-@wp.func(inline=False)
+@wp.func
 def random_forest(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     old: wp.array(dtype=wp.int32),
     kept: wp.int32,
@@ -84,29 +85,29 @@ def random_forest(
     A bay with a hall often begins as two rows of rooms along it. Bays of storeys that are ``kept`` (bits) have the
     trees of the old code. 0: a bay would stay empty.
     """
-    first = p.bay_start[frame]
-    bays = p.bay_start[frame + 1] - first
+    first = item(p[0].bay_start, frame)
+    bays = item(p[0].bay_start, frame + 1) - first
     for b in range(bays):
-        r = p.bay[first + b]
+        r = item(p[0].bay, first + b)
         left[b] = 1.0e-6 * float(r[2] - r[0]) * float(r[3] - r[1])
-    start = pick(rng, p.rooms)
-    for k in range(p.rooms):
-        room = (start + k) % p.rooms
+    start = pick(rng, p[0].rooms)
+    for k in range(p[0].rooms):
+        room = (start + k) % p[0].rooms
         bay_of[room] = -1
         best = float(-1.0e9)
-        if p.room_storeys[room] != 0:
+        if item(p[0].room_storeys, room) != 0:
             for b in range(bays):
-                if may_lie(p, room, p.bay_storey[first + b]):
+                if may_lie(p, room, item(p[0].bay_storey, first + b)):
                     score = left[b] * (0.3 + uniform(rng))
                     if score > best:
                         best = score
                         bay_of[room] = b
             if bay_of[room] >= 0:
-                left[bay_of[room]] = left[bay_of[room]] - 1.0e-6 * float(p.room_area[room][1])
+                left[bay_of[room]] = left[bay_of[room]] - 1.0e-6 * float(item(p[0].room_area, room)[1])
     n = int(0)
     root = int(0)
     for b in range(bays):
-        if ((kept >> p.bay_storey[first + b]) & 1) != 0:
+        if ((kept >> item(p[0].bay_storey, first + b)) & 1) != 0:
             last = subtree_end(old, root)
             for k in range(root, last):
                 code[n] = old[k]
@@ -118,9 +119,9 @@ def random_forest(
         # the bay's rooms in random order, and its hall
         m = int(0)
         hall = int(-1)
-        for room in range(p.rooms):
+        for room in range(p[0].rooms):
             if bay_of[room] == b:
-                if hall < 0 and (p.room_flags[room] & CIRCULATION) != 0:
+                if hall < 0 and (item(p[0].room_flags, room) & CIRCULATION) != 0:
                     hall = room
                 else:
                     at = pick(rng, m + 1)
@@ -148,13 +149,13 @@ def random_forest(
 
 
 @wp.func
-def drawn_frame(p: PlanProblem, u: wp.float32):
+def drawn_frame(p: PlanProblemRef, u: wp.float32):
     """The frame in whose part of the unit interval a number lies."""
     first = int(0)
-    last = p.frames - 1
+    last = p[0].frames - 1
     while first < last:
         middle = (first + last) / 2
-        if p.frame_share[middle] <= u:
+        if item(p[0].frame_share, middle) <= u:
             first = middle + 1
         else:
             last = middle

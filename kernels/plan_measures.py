@@ -6,6 +6,7 @@ door costs what is missing, rooms that should meet cost the way between them.
 
 import warp as wp
 
+from .array_access import item
 from .plan_geometry import (
     FAR,
     MILLI,
@@ -14,7 +15,7 @@ from .plan_geometry import (
     facade_way,
     has,
     lowest_bit,
-    owner_of,
+    next_cell,
     rooms_gap,
     rooms_lack,
     takes_doors,
@@ -43,18 +44,17 @@ from .plan_tables import (
     SIDE,
     SUNNY,
     THROUGH,
-    WET,
     WINDOWS,
-    PlanProblem,
+    PlanProblemRef,
 )
 from .plan_ways import find_ways, survey_pairs, wet_count
 
 wp.set_module_options({"enable_backward": False})
 
 
-@wp.func(inline=False)
+@wp.func
 def measure_rooms(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -71,8 +71,8 @@ def measure_rooms(
     total = float(0.0)
     halls = float(0.0)
     largest = int(0)
-    for r in range(p.rooms):
-        bounds = p.room_area[r]
+    for r in range(p[0].rooms):
+        bounds = item(p[0].room_area, r)
         floor = area[r]
         violation[AREA] = violation[AREA] + 1.0e-6 * float(wp.max(bounds[0] - floor, 0) + wp.max(floor - bounds[2], 0))
         total += float(floor)
@@ -83,41 +83,40 @@ def measure_rooms(
         if floor < bounds[0] or floor > bounds[2]:
             blame = blame | (1 << r)
         off = float(floor) / float(wp.max(bounds[1], 1)) - 1.0
-        soft += p.weights[0] * off * off
+        soft += p[0].weights[0] * off * off
         hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
         lit = int(0)
         sun = int(0)
-        for i in range(count):
-            if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                c = cells[i]
-                hull = wp.vec4i(
-                    wp.min(hull[0], c[0]), wp.min(hull[1], c[1]), wp.max(hull[2], c[2]), wp.max(hull[3], c[3])
-                )
-                if i < p.cells:
-                    short = wp.min(c[2] - c[0], c[3] - c[1])
-                    if short < p.cell_side[i]:
-                        blame = blame | (1 << r)
-                        violation[SIDE] = violation[SIDE] + MILLI * float(p.cell_side[i] - short)
-                if has(p, r, GLAZED | LIT | SUNNY):
-                    for f in range(p.facade.shape[0]):
-                        if (p.facade_flags[f] & WINDOWS) != 0:
-                            s = facade_overlap(p.facade[f], c)
-                            free = wp.max(s[1] - s[0] - 2 * p.pier, 0)
-                            if free >= p.least_window:
-                                lit += free
-                                if p.facade[f][0] != NORTH:
-                                    sun += free
+        i = next_cell(p, frame, count, storey, r, -1)
+        while i < count:
+            c = cells[i]
+            hull = wp.vec4i(wp.min(hull[0], c[0]), wp.min(hull[1], c[1]), wp.max(hull[2], c[2]), wp.max(hull[3], c[3]))
+            if i < p[0].cells:
+                short = wp.min(c[2] - c[0], c[3] - c[1])
+                if short < item(p[0].cell_side, i):
+                    blame = blame | (1 << r)
+                    violation[SIDE] = violation[SIDE] + MILLI * float(item(p[0].cell_side, i) - short)
+            if has(p, r, GLAZED | LIT | SUNNY):
+                for f in range(p[0].facade.shape[0]):
+                    if (item(p[0].facade_flags, f) & WINDOWS) != 0:
+                        s = facade_overlap(item(p[0].facade, f), c)
+                        free = wp.max(s[1] - s[0] - 2 * p[0].pier, 0)
+                        if free >= p[0].least_window:
+                            lit += free
+                            if item(p[0].facade, f)[0] != NORTH:
+                                sun += free
+            i = next_cell(p, frame, count, storey, r, i)
         long = wp.max(hull[2] - hull[0], hull[3] - hull[1])
         short = wp.min(hull[2] - hull[0], hull[3] - hull[1])
-        ratio = p.room_aspect[r]
+        ratio = item(p[0].room_aspect, r)
         over = float(long) - MILLI * float(ratio[0]) * float(short)
         if wp.int64(long) * wp.int64(1000) > wp.int64(short) * wp.int64(ratio[0]):
             blame = blame | (1 << r)
             violation[ASPECT] = violation[ASPECT] + MILLI * wp.max(over, 1.0)
-        soft += p.weights[1] * wp.max(float(long) / float(wp.max(short, 1)) - MILLI * float(ratio[1]), 0.0)
+        soft += p[0].weights[1] * wp.max(float(long) / float(wp.max(short, 1)) - MILLI * float(ratio[1]), 0.0)
         need = int(0)
         if has(p, r, LIT):
-            need = p.least_window
+            need = p[0].least_window
         if has(p, r, GLAZED):
             need = wp.max(need, window_need(p, floor))
         if lit < need:
@@ -126,26 +125,26 @@ def measure_rooms(
             way = wp.min(facade_way(p, hull), 10000)
             violation[GLAZING] = violation[GLAZING] + MILLI * (float(need - lit) + 0.3 * float(way))
         if has(p, r, SUNNY):
-            soft += p.weights[5] * MILLI * float(wp.max(2 * need - sun, 0))
+            soft += p[0].weights[5] * MILLI * float(wp.max(2 * need - sun, 0))
     share = halls / wp.max(total, 1.0)
-    if halls * 1000.0 > total * float(p.corridors[0]):
-        violation[SHARE] = wp.max(20.0 * (share - MILLI * float(p.corridors[0])), 0.001)
-    soft += p.weights[2] * wp.max(share - MILLI * float(p.corridors[1]), 0.0)
-    violation[LARGEST] = 1.0e-6 * float(wp.max(p.large_room - largest, 0))
+    if halls * 1000.0 > total * float(p[0].corridors[0]):
+        violation[SHARE] = wp.max(20.0 * (share - MILLI * float(p[0].corridors[0])), 0.001)
+    soft += p[0].weights[2] * wp.max(share - MILLI * float(p[0].corridors[1]), 0.0)
+    violation[LARGEST] = 1.0e-6 * float(wp.max(p[0].large_room - largest, 0))
     return soft, blame
 
 
 @wp.func
-def window_need(p: PlanProblem, floor: wp.int32):
+def window_need(p: PlanProblemRef, floor: wp.int32):
     """Width [mm] of the windows that a floor [mm2] needs, rounded up."""
-    glass = wp.int64(floor) * wp.int64(p.glazing)
-    unit = wp.int64(1000) * wp.int64(p.pane)
+    glass = wp.int64(floor) * wp.int64(p[0].glazing)
+    unit = wp.int64(1000) * wp.int64(p[0].pane)
     return int((glass + unit - wp.int64(1)) / unit)
 
 
-@wp.func(inline=False)
+@wp.func
 def measure_plan(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -167,21 +166,21 @@ def measure_plan(
     violation[SHAPE] = MILLI * float(shape)
     soft, blame = measure_rooms(p, frame, count, cells, storey, area, violation)
 
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         must[r] = 0
-    for k in range(p.adjacency.shape[0]):
-        x = p.adjacency[k]
+    for k in range(p[0].adjacency.shape[0]):
+        x = item(p[0].adjacency, k)
         a = x[0]
         b = x[1]
-        weight = p.adjacency_weight[k]
+        weight = item(p[0].adjacency_weight, k)
         lack = float(0.0)
         if x[2] == APART:
             if rooms_lack(p, frame, count, cells, storey, a, b, 1, False) == 0:
                 lack = 1.0
         elif x[2] == NEAR:
-            lack = MILLI * float(wp.min(rooms_lack(p, frame, count, cells, storey, a, b, p.wet_wall, False), 20000))
+            lack = MILLI * float(wp.min(rooms_lack(p, frame, count, cells, storey, a, b, p[0].wet_wall, False), 20000))
         else:
-            need = x[3] + 2 * p.jamb
+            need = x[3] + 2 * p[0].jamb
             lack = MILLI * float(wp.min(rooms_lack(p, frame, count, cells, storey, a, b, need, True), 20000))
             if lack == 0.0:
                 must[a] = must[a] | (1 << b)
@@ -196,12 +195,12 @@ def measure_plan(
             soft += weight * wp.min(lack, 10.0)
 
     reached = find_ways(p, touch, must, parent)
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         if ((reached >> r) & 1) == 0:
             least = int(10000)
-            for o in range(p.rooms):
+            for o in range(p[0].rooms):
                 if ((reached >> o) & 1) != 0 and has(p, o, THROUGH):
-                    need = door_width(p, r, o) + 2 * p.jamb
+                    need = door_width(p, r, o) + 2 * p[0].jamb
                     least = wp.min(least, rooms_lack(p, frame, count, cells, storey, r, o, need, True))
             blame = blame | (1 << r)
             violation[REACHED] = violation[REACHED] + 0.3 + MILLI * float(least)
@@ -209,22 +208,24 @@ def measure_plan(
             o = parent[r]
             if o >= 0:
                 if not has(p, o, CIRCULATION):
-                    soft += p.weights[6]
+                    soft += p[0].weights[6]
 
     least = int(10000)
-    need = p.entrance_door + 2 * p.jamb
-    for i in range(count):
-        if storey[i] == 0 and owner_of(p, frame, i) == p.entrance and takes_doors(p, frame, i):
-            for f in range(p.facade.shape[0]):
-                if (p.facade_flags[f] & ENTRANCE) != 0:
-                    facade = p.facade[f]
+    need = p[0].entrance_door + 2 * p[0].jamb
+    i = next_cell(p, frame, count, storey, p[0].entrance, -1)
+    while i < count:
+        if storey[i] == 0 and takes_doors(p, frame, i):
+            for f in range(p[0].facade.shape[0]):
+                if (item(p[0].facade_flags, f) & ENTRANCE) != 0:
+                    facade = item(p[0].facade, f)
                     c = cells[i]
                     along = 1 - facade[0] % 2
                     overlap = wp.min(c[along + 2], facade[3]) - wp.max(c[along], facade[2])
                     least = wp.min(least, wp.abs(c[facade[0]] - facade[1]) + wp.max(need - overlap, 0))
+        i = next_cell(p, frame, count, storey, p[0].entrance, i)
     violation[ENTRY] = MILLI * float(least)
     if least > 0:
-        blame = blame | (1 << p.entrance)
+        blame = blame | (1 << p[0].entrance)
 
     groups, first = wet_count(p, wets)
     if groups > 1:
@@ -234,18 +235,15 @@ def measure_plan(
         while rest != 0:
             k = lowest_bit(rest)
             rest = rest & ~(1 << k)
-            others = int(0)
-            for r in range(p.rooms):
-                if has(p, r, WET) and r != k and ((wets[k] >> r) & 1) == 0:
-                    others = others | (1 << r)
+            others = p[0].wet_rooms & ~(wets[k] | (1 << k))
             far = wp.max(far, wp.min(rooms_gap(p, frame, count, cells, storey, k, others), 10.0))
-        if groups > p.wet_groups:
-            violation[GROUPS] = float(groups - p.wet_groups) + 0.1 * far
-        soft += p.weights[3] * (float(groups - 1) + 0.1 * far)
+        if groups > p[0].wet_groups:
+            violation[GROUPS] = float(groups - p[0].wet_groups) + 0.1 * far
+        soft += p[0].weights[3] * (float(groups - 1) + 0.1 * far)
 
-    for k in range(p.wish_room.shape[0]):
-        reach = p.wish_reach[k]
-        gap = rooms_gap(p, frame, count, cells, storey, p.wish_room[k], p.wish_mask[k])
+    for k in range(p[0].wish_room.shape[0]):
+        reach = item(p[0].wish_reach, k)
+        gap = rooms_gap(p, frame, count, cells, storey, item(p[0].wish_room, k), item(p[0].wish_mask, k))
         soft += reach[1] * wp.clamp(gap - MILLI * reach[0], 0.0, 10.0)
     return soft, blame
 

@@ -2,8 +2,9 @@
 
 import warp as wp
 
+from .array_access import item
 from .plan_forests import drawn_frame, may_lie
-from .plan_tables import APART, CUT_X, MAX_CODE, PlanProblem
+from .plan_tables import APART, CUT_X, MAX_CODE, PlanProblemRef
 from .plan_tree import exchange_sides, insert_beside, parent_of, take_out, turn_subtree
 from .sample import pick, uniform
 
@@ -23,16 +24,16 @@ def place_of(code: wp.array(dtype=wp.int32), n: wp.int32, what: wp.int32):
 
 
 @wp.func
-def partner_of(p: PlanProblem, room: wp.int32, rng: wp.ref[wp.uint32]):
+def partner_of(p: PlanProblemRef, room: wp.int32, rng: wp.ref[wp.uint32]):
     """A room that a hard adjacency wants beside another, at random; -1: there is none."""
-    count = p.adjacency.shape[0]
+    count = p[0].adjacency.shape[0]
     if count == 0:
         return -1
     start = pick(rng, count)
     for k in range(count):
         at = (start + k) % count
-        x = p.adjacency[at]
-        if x[2] != APART and p.adjacency_weight[at] < 0.0:
+        x = item(p[0].adjacency, at)
+        if x[2] != APART and item(p[0].adjacency_weight, at) < 0.0:
             if x[0] == room:
                 return x[1]
             if x[1] == room:
@@ -40,9 +41,9 @@ def partner_of(p: PlanProblem, room: wp.int32, rng: wp.ref[wp.uint32]):
     return -1
 
 
-@wp.func(inline=False)
+@wp.func
 def propose_move(
-    p: PlanProblem,
+    p: PlanProblemRef,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
     level: wp.array(dtype=wp.int32),
@@ -62,7 +63,7 @@ def propose_move(
         for k in range(n):
             at = (t + k) % n
             if code[at] < CUT_X:
-                if ((blame >> p.cell_room[code[at]]) & 1) != 0:
+                if ((blame >> item(p[0].cell_room, code[at])) & 1) != 0:
                     t = at
                     break
     what = code[t]
@@ -100,7 +101,7 @@ def propose_move(
         shorter = n - m - 1
         at = pick(rng, shorter)
         if uniform(rng) < GUIDED and piece[m - 1] < CUT_X:
-            other = partner_of(p, p.cell_room[piece[m - 1]], rng)
+            other = partner_of(p, item(p[0].cell_room, piece[m - 1]), rng)
             if other >= 0:
                 beside = place_of(code, shorter, other)
                 if beside >= 0:
@@ -123,13 +124,13 @@ def propose_move(
     if u < 0.92:
         if what >= CUT_X:
             return 0
-        wanted = 1.0e-6 * float(p.room_area[p.cell_room[what]][1])
+        wanted = 1.0e-6 * float(item(p[0].room_area, item(p[0].cell_room, what))[1])
         weight[what] = wp.clamp(weight[what] * wp.exp(0.6 * (uniform(rng) - 0.5)), 0.2 * wanted, 4.0 * wanted)
         return n
     if u < 0.97:
-        if p.cells == p.rooms:
+        if p[0].cells == p[0].rooms:
             return 0
-        extra = p.rooms + pick(rng, p.cells - p.rooms)
+        extra = p[0].rooms + pick(rng, p[0].cells - p[0].rooms)
         there = place_of(code, n, extra)
         if there >= 0:
             parent = parent_of(code, there)
@@ -137,15 +138,17 @@ def propose_move(
                 return 0
             m = take_out(code, n, there, parent, piece)
             return n - m - 1
-        home = place_of(code, n, p.cell_room[extra])
+        home = place_of(code, n, item(p[0].cell_room, extra))
         if n + 2 > MAX_CODE or home < 0 or level[t] != level[home]:
             return 0
         piece[0] = extra
-        weight[extra] = 1.0e-6 * float(p.room_area[p.cell_room[extra]][1]) * (0.2 + 0.5 * uniform(rng))
+        weight[extra] = (
+            1.0e-6 * float(item(p[0].room_area, item(p[0].cell_room, extra))[1]) * (0.2 + 0.5 * uniform(rng))
+        )
         return insert_beside(code, n, t, CUT_X + pick(rng, 2), uniform(rng) < 0.5, piece, 1)
-    family = p.frame_family[frame]
+    family = item(p[0].frame_family, frame)
     low = float(0.0)
     if family[0] > 0:
-        low = p.frame_share[family[0] - 1]
-    frame = drawn_frame(p, low + uniform(rng) * (p.frame_share[family[1] - 1] - low))
+        low = item(p[0].frame_share, family[0] - 1)
+    frame = drawn_frame(p, low + uniform(rng) * (item(p[0].frame_share, family[1] - 1) - low))
     return n

@@ -2,9 +2,10 @@
 
 import warp as wp
 
+from .array_access import item
 from .plan_doors import is_free, place_doors
 from .plan_geometry import FAR, has, owner_of, takes_doors
-from .plan_tables import CIRCULATION, TURNING, PlanProblem
+from .plan_tables import CIRCULATION, TURNING, PlanProblemRef
 from .plan_windows import place_windows
 
 wp.set_module_options({"enable_backward": False})
@@ -14,7 +15,7 @@ LOST = wp.constant(300)  # [mm] of a hall beyond its last door, and its width, t
 
 @wp.func
 def turning_holds(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -25,7 +26,7 @@ def turning_holds(
     doors: wp.int32,
 ):
     """Whether a square to turn in fits into one of a room's cells, beside all leaves: at a wall, or at a leaf."""
-    t = p.turning
+    t = p[0].turning
     for i in range(count):
         if storey[i] >= 0 and owner_of(p, frame, i) == room and takes_doors(p, frame, i):
             c = cells[i]
@@ -48,9 +49,9 @@ def turning_holds(
     return False
 
 
-@wp.func(inline=False)
+@wp.func
 def rooms_without_turning(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -61,8 +62,8 @@ def rooms_without_turning(
 ):
     """Rooms that nobody can turn in."""
     bad = int(0)
-    if p.turning > 0:
-        for r in range(p.rooms):
+    if p[0].turning > 0:
+        for r in range(p[0].rooms):
             if has(p, r, TURNING):
                 if not turning_holds(p, frame, count, cells, storey, r, leaves, leaf_level, doors):
                     bad += 1
@@ -71,7 +72,7 @@ def rooms_without_turning(
 
 @wp.func
 def dead_ends(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -81,7 +82,7 @@ def dead_ends(
 ):
     """How far [m] halls reach beyond the last of their doors, less their width."""
     total = float(0.0)
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         if has(p, r, CIRCULATION):
             hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
             for i in range(count):
@@ -102,13 +103,13 @@ def dead_ends(
                             low += doors[k, 5]
                         last = wp.max(last, low)
                 reach = wp.max(reach, wp.max(first - hull[axis], hull[axis + 2] - last))
-            total += 0.001 * float(wp.max(reach - p.room_side[r] - LOST, 0))
+            total += 0.001 * float(wp.max(reach - item(p[0].room_side, r) - LOST, 0))
     return total
 
 
-@wp.func(inline=False)
+@wp.func
 def openings_fail(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),

@@ -8,27 +8,33 @@ random forest; storeys that the round before left in order keep theirs.
 
 import warp as wp
 
+from .array_access import item
 from .plan_forests import drawn_frame, random_forest
 from .plan_measures import hard_of, measure_plan
 from .plan_moves import propose_move
 from .plan_openings import openings_fail
-from .plan_tables import FRONTS, HARD_WEIGHT, MAX_CELLS, MAX_CODE, MAX_DOORS, RULE_COUNT, PlanProblem, PlanState
+from .plan_tables import FRONTS, HARD_WEIGHT, MAX_CELLS, MAX_CODE, MAX_DOORS, RULE_COUNT, PlanProblemRef, PlanState
 from .plan_tree import lay_out, measure_trees
 from .sample import uniform
+from .warp_primitives import lanes_with
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
+# Lanes of a warp stand still while others do what they don't, so on a GPU they do the same things together; each
+# candidate goes the same way all the same. Measured on one H200, docs/plans.md.
+TOGETHER = wp.constant(4)  # so many wait for their openings before these are placed
+TRIES = wp.constant(16)  # of proposals that are no move, before those that have one are measured
 KEEPS = wp.constant(0.85)  # of the rounds begin with the storeys that were in order
 
 
 @wp.func
-def storeys_in_order(p: PlanProblem, blame: wp.int32):
+def storeys_in_order(p: PlanProblemRef, blame: wp.int32):
     """Storeys (bits) none of whose rooms violates anything, where there are others; stairs do not count."""
     bad = int(0)
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         if ((blame >> r) & 1) != 0:
-            bad = bad | p.room_storeys[r]
-    all = (1 << p.storeys) - 1
+            bad = bad | item(p[0].room_storeys, r)
+    all = (1 << p[0].storeys) - 1
     if bad == 0:
         return 0
     return all & ~bad
@@ -37,7 +43,7 @@ def storeys_in_order(p: PlanProblem, blame: wp.int32):
 @wp.kernel
 def search_plans(
     # Problem:
-    p: PlanProblem,
+    p: PlanProblemRef,
     moves: wp.int32,
     more: wp.int32,
     hot: wp.float32,
@@ -87,8 +93,8 @@ def search_plans(
     n = int(0)
     tries = int(0)
     heat = float(hot)
-    for k in range(p.cells):
-        weight[k] = 1.0e-6 * float(p.room_area[p.cell_room[k]][1])
+    for k in range(p[0].cells):
+        weight[k] = 1.0e-6 * float(item(p[0].room_area, item(p[0].cell_room, k))[1])
     kept = int(0)
     if s.length[candidate] > 0 and uniform(rng) < KEEPS:
         kept = storeys_in_order(p, s.blame[candidate])
@@ -96,15 +102,15 @@ def search_plans(
         frame = s.frame[candidate]
         for k in range(s.length[candidate]):
             code[k] = s.code[candidate, k]
-        for k in range(p.cells):
-            if (p.room_storeys[p.cell_room[k]] & kept) != 0:
+        for k in range(p[0].cells):
+            if (item(p[0].room_storeys, item(p[0].cell_room, k)) & kept) != 0:
                 weight[k] = s.weight[candidate, k]
     while n == 0 and tries < 50:
         if kept == 0:
             frame = drawn_frame(p, uniform(rng))
         n = random_forest(p, frame, code, kept, trial, piece, record, new_weight, end, rng)
         tries += 1
-    for k in range(p.cells):
+    for k in range(p[0].cells):
         new_weight[k] = weight[k]
     guilty = int(0)
     energy = float(1.0e30)
@@ -116,23 +122,46 @@ def search_plans(
     last = int(moves)
     if n == 0:
         last = -1
-    while number <= last:
-        if n > 0:
+    soft = float(0.0)
+    value = float(0.0)
+    ceiling = float(0.0)
+    hard = float(0.0)
+    blame = int(0)
+    count = int(0)
+    waits = wp.bool(False)  # for its openings to be placed
+    while lanes_with(number <= last) > 0:
+        tries = int(0)
+        while n == 0 and number <= last and tries < TRIES:
+            for k in range(length):
+                trial[k] = code[k]
+            for k in range(p[0].cells):
+                new_weight[k] = weight[k]
+            new_frame = frame
+            n = propose_move(p, trial, length, level, new_frame, new_weight, piece, guilty, rng)
+            heat *= rate
+            number += 1
+            tries += 1
+        moves_on = number <= last and n > 0
+        if moves_on and not waits:
             measure_trees(p, trial, n, new_weight, end, least, share)
             count = lay_out(p, new_frame, trial, n, True, end, least, share, box, new_level, cut, cells, storey)
             soft, blame = measure_plan(p, new_frame, count, cells, storey, touch, wets, area, must, parent, violation)
             hard = hard_of(violation)
             value = HARD_WEIGHT * hard + soft
             ceiling = energy - heat * wp.log(wp.max(uniform(rng), 1.0e-9))
-            if value <= ceiling and hard == 0.0:
-                # only what would be taken is worth a search for the places of doors and windows
+            # only what would be taken is worth a search for the places of doors and windows
+            waits = value <= ceiling and hard == 0.0
+        if lanes_with(waits) >= TOGETHER or lanes_with(number <= last and not waits) == 0:
+            if waits:
                 failed, ends = openings_fail(
                     p, new_frame, count, cells, storey, area, must, parent,
                     leaves, leaf_level, fronts, front_level, record, doors, windows,
                 )  # fmt: skip
-                value += HARD_WEIGHT * failed + p.weights[4] * ends
+                value += HARD_WEIGHT * failed + p[0].weights[4] * ends
                 if failed == 0.0:
                     last = wp.min(last, number + more)
+                waits = False
+        if moves_on and not waits:
             if value <= ceiling:
                 energy = value
                 guilty = blame
@@ -141,7 +170,7 @@ def search_plans(
                 for k in range(n):
                     code[k] = trial[k]
                     level[k] = new_level[k]
-                for k in range(p.cells):
+                for k in range(p[0].cells):
                     weight[k] = new_weight[k]
                 if value < lowest:
                     lowest = value
@@ -151,16 +180,9 @@ def search_plans(
                     for k in range(n):
                         s.code[candidate, k] = code[k]
                         s.cut[candidate, k] = cut[k]
-                    for k in range(p.cells):
+                    for k in range(p[0].cells):
                         s.weight[candidate, k] = weight[k]
-        for k in range(length):
-            trial[k] = code[k]
-        for k in range(p.cells):
-            new_weight[k] = weight[k]
-        new_frame = frame
-        n = propose_move(p, trial, length, level, new_frame, new_weight, piece, guilty, rng)
-        heat *= rate
-        number += 1
+            n = 0
     s.energy[candidate] = lowest
     s.rng[candidate] = rng
     s.rounds[candidate] = s.rounds[candidate] + 1

@@ -155,6 +155,11 @@ else:
         pane=wp.int32,  # [mm] height of windows
         least_window=wp.int32,  # [mm]
         most_window=wp.int32,  # [mm]
+        through=wp.int32,  # rooms (bits) that have the flag THROUGH, and so on
+        suites=wp.int32,
+        annexes=wp.int32,
+        stairs=wp.int32,
+        wet_rooms=wp.int32,
         wet_groups=wp.int32,  # at most, by hard rules
         wet_wall=wp.int32,  # [mm] of wall that rooms with water share
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
@@ -162,6 +167,9 @@ else:
         turning=wp.int32,  # [mm]
         weights=wp.types.vector(length=7, dtype=wp.float32),  # of soft rows, `SOFT`
     )
+
+PlanProblemRef = wp.array(dtype=PlanProblem)
+"""How kernels take a problem: an array of one. The struct is 3 kB and functions take arguments by value."""
 
 SOFT = ("area", "aspect", "corridors", "wet", "dead_ends", "sun", "bedroom_doors")
 """Soft rows by weight."""

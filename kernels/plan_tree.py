@@ -7,7 +7,8 @@ enough always exists where the rectangle is large enough, because the least exte
 
 import warp as wp
 
-from .plan_tables import CUT_X, CUT_Y, MAX_CODE, PlanProblem
+from .array_access import item
+from .plan_tables import CUT_X, CUT_Y, MAX_CODE, PlanProblemRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -22,9 +23,9 @@ def cut_between(low: wp.int32, high: wp.int32, least_low: wp.int32, least_high: 
     return wp.clamp(at, first, last)
 
 
-@wp.func(inline=False)
+@wp.func
 def measure_trees(
-    p: PlanProblem,
+    p: PlanProblemRef,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
     weight: wp.array(dtype=wp.float32),
@@ -37,7 +38,7 @@ def measure_trees(
         t = n - 1 - k
         what = code[t]
         if what < CUT_X:
-            side = p.cell_side[what]
+            side = item(p[0].cell_side, what)
             end[t] = t + 1
             least[t] = wp.vec2i(side, side)
             share[t] = weight[what]
@@ -48,14 +49,14 @@ def measure_trees(
             end[t] = end[b]
             share[t] = share[t + 1] + share[b]
             if what == CUT_X:
-                least[t] = wp.vec2i(x[0] + p.inner + y[0], wp.max(x[1], y[1]))
+                least[t] = wp.vec2i(x[0] + p[0].inner + y[0], wp.max(x[1], y[1]))
             else:
-                least[t] = wp.vec2i(wp.max(x[0], y[0]), x[1] + p.inner + y[1])
+                least[t] = wp.vec2i(wp.max(x[0], y[0]), x[1] + p[0].inner + y[1])
 
 
-@wp.func(inline=False)
+@wp.func
 def lay_out(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
@@ -74,12 +75,12 @@ def lay_out(
     ``fresh`` cuts come from the shares; others are taken from ``cut``. Both are projected, and stored. Fixed cells of
     the frame follow after those of trees.
     """
-    for k in range(p.cells):
+    for k in range(p[0].cells):
         storey[k] = -1
     root = int(0)
-    for bay in range(p.bay_start[frame], p.bay_start[frame + 1]):
-        box[root] = p.bay[bay]
-        level[root] = p.bay_storey[bay]
+    for bay in range(item(p[0].bay_start, frame), item(p[0].bay_start, frame + 1)):
+        box[root] = item(p[0].bay, bay)
+        level[root] = item(p[0].bay_storey, bay)
         root = end[root]
     for t in range(n):
         what = code[t]
@@ -96,21 +97,21 @@ def lay_out(
             at = cut[t]
             if fresh:
                 of_a = share[a] / (share[a] + share[b])
-                at = low + int(wp.round(float(high - low - p.inner) * of_a))
-            at = cut_between(low, high - p.inner, least[a][axis], least[b][axis], at)
+                at = low + int(wp.round(float(high - low - p[0].inner) * of_a))
+            at = cut_between(low, high - p[0].inner, least[a][axis], least[b][axis], at)
             cut[t] = at
             ra = r
             rb = r
             ra[axis + 2] = at
-            rb[axis] = at + p.inner
+            rb[axis] = at + p[0].inner
             box[a] = ra
             box[b] = rb
             level[a] = level[t]
             level[b] = level[t]
-    count = p.cells
-    for k in range(p.fixed_start[frame], p.fixed_start[frame + 1]):
-        cells[count] = p.fixed[k]
-        storey[count] = p.fixed_room[k][1]
+    count = p[0].cells
+    for k in range(item(p[0].fixed_start, frame), item(p[0].fixed_start, frame + 1)):
+        cells[count] = item(p[0].fixed, k)
+        storey[count] = item(p[0].fixed_room, k)[1]
         count += 1
     return count
 

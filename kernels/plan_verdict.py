@@ -5,6 +5,7 @@ What is called valid here breaks no rule: each violation is the excess of intege
 
 import warp as wp
 
+from .array_access import item
 from .plan_doors import place_doors
 from .plan_geometry import owner_of
 from .plan_measures import hard_of, measure_plan
@@ -19,7 +20,7 @@ from .plan_tables import (
     PANES,
     RULE_COUNT,
     TURN,
-    PlanProblem,
+    PlanProblemRef,
     PlanState,
 )
 from .plan_tree import lay_out, measure_trees
@@ -31,7 +32,7 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 @wp.kernel
 def place_cells(
     # Problem:
-    p: PlanProblem,
+    p: PlanProblemRef,
     # State in:
     active: wp.array(dtype=wp.int32),
     # State in and out:
@@ -56,7 +57,7 @@ def place_cells(
     for k in range(n):
         code[k] = s.code[candidate, k]
         cut[k] = s.cut[candidate, k]
-    for k in range(p.cells):
+    for k in range(p[0].cells):
         weight[k] = s.weight[candidate, k]
     measure_trees(p, code, n, weight, end, least, share)
     count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
@@ -74,7 +75,7 @@ def place_cells(
 @wp.kernel
 def judge_cells(
     # Problem:
-    p: PlanProblem,
+    p: PlanProblemRef,
     # State in:
     active: wp.array(dtype=wp.int32),
     # State in and out:
@@ -85,7 +86,7 @@ def judge_cells(
     if s.status[candidate] != 0:
         return
     frame = s.frame[candidate]
-    count = p.cells + p.fixed_start[frame + 1] - p.fixed_start[frame]
+    count = p[0].cells + item(p[0].fixed_start, frame + 1) - item(p[0].fixed_start, frame)
     cells = wp.zeros(shape=(MAX_CELLS,), dtype=wp.vec4i)
     storey = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
     touch = wp.zeros(shape=(MAX_CELLS,), dtype=wp.int32)
@@ -111,7 +112,7 @@ def judge_cells(
     n_windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n_doors, s.windows[candidate])
     violation[PANES] = 0.001 * float(lack)
     violation[TURN] = float(rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n_doors))
-    soft += p.weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
+    soft += p[0].weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
     hard = hard_of(violation)
     for k in range(RULE_COUNT):
         s.violation[candidate, k] = violation[k]

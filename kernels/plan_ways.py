@@ -2,8 +2,9 @@
 
 import warp as wp
 
-from .plan_geometry import FAR, door_width, gaps, has, lacking, lowest_bit, owner_of, shared_wall, takes_doors
-from .plan_tables import ANNEX, STAIRS, SUITE, THROUGH, WET, PlanProblem
+from .array_access import item
+from .plan_geometry import FAR, door_width, gaps, lacking, lowest_bit, owner_of, shared_wall, takes_doors
+from .plan_tables import PlanProblemRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -11,9 +12,9 @@ NO_DOOR = wp.constant(-1)
 BY_STAIRS = wp.constant(-2)
 
 
-@wp.func(inline=False)
+@wp.func
 def survey_pairs(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -28,53 +29,57 @@ def survey_pairs(
     the width of a way, and to no other.
     """
     shape = int(0)
-    for r in range(p.rooms):
+    inner = p[0].inner
+    own = p[0].rooms
+    drawn = p[0].cells
+    for r in range(own):
         touch[r] = 0
         wets[r] = 0
         area[r] = 0
     for i in range(count):
-        if storey[i] >= 0:
+        level = storey[i]
+        if level >= 0:
             a = owner_of(p, frame, i)
             ca = cells[i]
-            area[a] = area[a] + (ca[2] - ca[0]) * (ca[3] - ca[1])
-            doors = takes_doors(p, frame, i)
-            wet = has(p, a, WET)
+            floor = (ca[2] - ca[0]) * (ca[3] - ca[1])
+            wet = (p[0].wet_rooms >> a) & 1
             for j in range(i):
-                if storey[j] >= 0:
-                    b = owner_of(p, frame, j)
-                    if storey[i] == storey[j]:
-                        shared = shared_wall(p, ca, cells[j])
-                        if shared > 0:
-                            if a == b:
-                                if j < p.rooms and i < p.cells:
-                                    if shared >= p.room_side[a]:
-                                        area[a] = area[a] + shared * p.inner
-                                elif i < p.cells:
+                if storey[j] == level:
+                    shared = shared_wall(ca, cells[j], inner)
+                    if shared > 0:
+                        b = owner_of(p, frame, j)
+                        if a == b:
+                            if i < drawn:
+                                if j >= own:
                                     shape += shared
-                            else:
-                                if doors and takes_doors(p, frame, j):
-                                    if shared >= door_width(p, a, b) + 2 * p.jamb:
-                                        touch[a] = touch[a] | (1 << b)
-                                        touch[b] = touch[b] | (1 << a)
-                                if wet and has(p, b, WET) and shared >= p.wet_wall:
-                                    wets[a] = wets[a] | (1 << b)
-                                    wets[b] = wets[b] | (1 << a)
-                    elif wet and wp.abs(storey[i] - storey[j]) == 1 and has(p, b, WET):
-                        d = gaps(ca, cells[j])
-                        if d[0] <= -p.wet_wall and d[1] <= -p.wet_wall:
-                            wets[a] = wets[a] | (1 << b)
-                            wets[b] = wets[b] | (1 << a)
-            if i >= p.rooms and i < p.cells:
-                if storey[a] == storey[i]:
-                    shape += lacking(p, ca, cells[a], p.room_side[a])
+                                elif shared >= item(p[0].room_side, a):
+                                    floor += shared * inner
+                        else:
+                            if shared >= door_width(p, a, b) + 2 * p[0].jamb:
+                                if takes_doors(p, frame, i) and takes_doors(p, frame, j):
+                                    touch[a] = touch[a] | (1 << b)
+                                    touch[b] = touch[b] | (1 << a)
+                            if wet != 0 and ((p[0].wet_rooms >> b) & 1) != 0 and shared >= p[0].wet_wall:
+                                wets[a] = wets[a] | (1 << b)
+                                wets[b] = wets[b] | (1 << a)
+                elif wet != 0 and storey[j] >= 0 and wp.abs(level - storey[j]) == 1:
+                    b = owner_of(p, frame, j)
+                    d = gaps(ca, cells[j])
+                    if ((p[0].wet_rooms >> b) & 1) != 0 and d[0] <= -p[0].wet_wall and d[1] <= -p[0].wet_wall:
+                        wets[a] = wets[a] | (1 << b)
+                        wets[b] = wets[b] | (1 << a)
+            area[a] = area[a] + floor
+            if i >= own and i < drawn:
+                if storey[a] == level:
+                    shape += lacking(p, ca, cells[a], item(p[0].room_side, a))
                 else:
                     shape += 5000
     return shape
 
 
-@wp.func(inline=False)
+@wp.func
 def find_ways(
-    p: PlanProblem,
+    p: PlanProblemRef,
     touch: wp.array(dtype=wp.int32),
     must: wp.array(dtype=wp.int32),
     parent: wp.array(dtype=wp.int32),
@@ -84,48 +89,52 @@ def find_ways(
     Rooms that lead on are taken in the order of their rank. What asks for a door to one room of its own, as an en-suite
     bath does, is entered by that door alone.
     """
-    for r in range(p.rooms):
+    free = int(0)  # rooms that ask for no door of their own
+    for r in range(p[0].rooms):
         parent[r] = NO_DOOR
-    reached = int(1 << p.entrance)
+        if must[r] == 0:
+            free = free | (1 << r)
+    enters = free | ~p[0].annexes
+    reached = int(1 << p[0].entrance)
     done = int(0)
-    while True:
+    left = int((p[0].through | p[0].suites) & reached)
+    while left != 0:
         at = int(-1)
         rank = int(FAR)
-        for r in range(p.rooms):
-            if ((reached >> r) & 1) != 0 and ((done >> r) & 1) == 0 and has(p, r, THROUGH | SUITE):
-                if p.room_rank[r] < rank:
-                    rank = p.room_rank[r]
-                    at = r
-        if at < 0:
-            break
+        while left != 0:
+            r = lowest_bit(left)
+            left = left & ~(1 << r)
+            if item(p[0].room_rank, r) < rank:
+                rank = item(p[0].room_rank, r)
+                at = r
         done = done | (1 << at)
-        through = has(p, at, THROUGH)
-        for r in range(p.rooms):
-            if ((reached >> r) & 1) == 0:
-                asked = ((must[at] >> r) & 1) != 0
-                way = asked
-                if through:
-                    if ((touch[at] >> r) & 1) != 0 and (must[r] == 0 or not has(p, r, ANNEX)):
-                        way = True
-                    if has(p, at, STAIRS) and has(p, r, STAIRS):
-                        parent[r] = BY_STAIRS
-                        reached = reached | (1 << r)
-                        way = False
-                elif not has(p, r, ANNEX):
-                    way = False
-                if way:
-                    parent[r] = at
-                    reached = reached | (1 << r)
+        way = int(must[at])
+        if ((p[0].through >> at) & 1) != 0:
+            way = way | (touch[at] & enters)
+            if ((p[0].stairs >> at) & 1) != 0:
+                flights = int(p[0].stairs & ~reached)
+                way = way & ~flights
+                reached = reached | flights
+                while flights != 0:
+                    r = lowest_bit(flights)
+                    flights = flights & ~(1 << r)
+                    parent[r] = BY_STAIRS
+        else:
+            way = way & p[0].annexes
+        way = way & ~reached
+        reached = reached | way
+        while way != 0:
+            r = lowest_bit(way)
+            way = way & ~(1 << r)
+            parent[r] = at
+        left = (p[0].through | p[0].suites) & reached & ~done
     return reached
 
 
 @wp.func
-def wet_count(p: PlanProblem, wets: wp.array(dtype=wp.int32)):
+def wet_count(p: PlanProblemRef, wets: wp.array(dtype=wp.int32)):
     """Groups of rooms with water that share walls or stand over each other, and a room of each (bits)."""
-    left = int(0)
-    for r in range(p.rooms):
-        if has(p, r, WET):
-            left = left | (1 << r)
+    left = int(p[0].wet_rooms)
     groups = int(0)
     first = int(0)
     while left != 0:

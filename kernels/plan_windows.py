@@ -2,9 +2,10 @@
 
 import warp as wp
 
+from .array_access import item
 from .plan_geometry import facade_overlap, has, owner_of
 from .plan_measures import window_need
-from .plan_tables import GLAZED, LIT, MAX_WINDOWS, PUBLIC, WET, WINDOWS, PlanProblem
+from .plan_tables import GLAZED, LIT, MAX_WINDOWS, PUBLIC, WET, WINDOWS, PlanProblemRef
 
 wp.set_module_options({"enable_backward": False})
 
@@ -13,32 +14,32 @@ MODULE = wp.constant(50)  # [mm] widths of windows are multiples of it where the
 
 @wp.func
 def free_facade(
-    p: PlanProblem, cell: wp.vec4i, level: wp.int32, facade: wp.int32, doors: wp.array2d(dtype=wp.int32), n: wp.int32
+    p: PlanProblemRef, cell: wp.vec4i, level: wp.int32, facade: wp.int32, doors: wp.array2d(dtype=wp.int32), n: wp.int32
 ):
     """Where a window may be in a cell's part of an outer wall: from and to [mm], clear of the entrance's door."""
     s = wp.vec2i(0, 0)
-    if (p.facade_flags[facade] & WINDOWS) != 0:
-        s = facade_overlap(p.facade[facade], cell)
-        s = wp.vec2i(s[0] + p.pier, s[1] - p.pier)
+    if (item(p[0].facade_flags, facade) & WINDOWS) != 0:
+        s = facade_overlap(item(p[0].facade, facade), cell)
+        s = wp.vec2i(s[0] + p[0].pier, s[1] - p[0].pier)
         if n > 0 and level == 0:
-            side = p.facade[facade][0]
+            side = item(p[0].facade, facade)[0]
             axis = side % 2
-            if doors[0, 1] < 0 and doors[0, 2] == side and doors[0, 3 + axis] == p.facade[facade][1]:
-                low = doors[0, 4 - axis] - p.pier
-                high = doors[0, 4 - axis] + doors[0, 5] + p.pier
+            if doors[0, 1] < 0 and doors[0, 2] == side and doors[0, 3 + axis] == item(p[0].facade, facade)[1]:
+                low = doors[0, 4 - axis] - p[0].pier
+                high = doors[0, 4 - axis] + doors[0, 5] + p[0].pier
                 if low < s[1] and high > s[0]:
                     if low - s[0] >= s[1] - high:
                         s = wp.vec2i(s[0], low)
                     else:
                         s = wp.vec2i(high, s[1])
-    if s[1] - s[0] < p.least_window:
+    if s[1] - s[0] < p[0].least_window:
         return wp.vec2i(0, 0)
     return s
 
 
 @wp.func
 def add_windows(
-    p: PlanProblem,
+    p: PlanProblemRef,
     room: wp.int32,
     facade: wp.int32,
     s: wp.vec2i,
@@ -48,21 +49,21 @@ def add_windows(
 ):
     """Windows of a width in all, evenly on a part of a wall; how many windows there are then."""
     length = s[1] - s[0]
-    width = wp.min(wp.max(wanted, p.least_window), length)
+    width = wp.min(wp.max(wanted, p[0].least_window), length)
     rounded = (width + MODULE - 1) / MODULE * MODULE
     if rounded <= length:
         width = rounded
-    parts = (width + p.most_window - 1) / p.most_window
+    parts = (width + p[0].most_window - 1) / p[0].most_window
     each = (width + parts - 1) / parts
-    while parts > 1 and parts * each + (parts - 1) * p.pier > length:
+    while parts > 1 and parts * each + (parts - 1) * p[0].pier > length:
         parts -= 1
         each = (width + parts - 1) / parts
     gap = (length - parts * each) / (parts + 1)
     if parts > 1:
         gap = wp.max(gap, 0)
     at = s[0] + gap
-    side = p.facade[facade][0]
-    face = p.facade[facade][1]
+    side = item(p[0].facade, facade)[0]
+    face = item(p[0].facade, facade)[1]
     axis = side % 2
     for _k in range(parts):
         if n < MAX_WINDOWS:
@@ -72,13 +73,13 @@ def add_windows(
             windows[n, 3] = wp.where(axis == 0, at, face)
             windows[n, 4] = each
             n += 1
-            at += each + wp.max(gap, p.pier)
+            at += each + wp.max(gap, p[0].pier)
     return n
 
 
-@wp.func(inline=False)
+@wp.func
 def place_windows(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     count: wp.int32,
     cells: wp.array(dtype=wp.vec4i),
@@ -91,17 +92,17 @@ def place_windows(
     """Place windows; how many, and the width [mm] that rooms lack."""
     n = int(0)
     lack = int(0)
-    for r in range(p.rooms):
+    for r in range(p[0].rooms):
         need = int(0)
         if has(p, r, GLAZED):
             need = window_need(p, area[r])
         if has(p, r, LIT):
-            need = wp.max(need, p.least_window)
+            need = wp.max(need, p[0].least_window)
         wish = need + need / 4
         if has(p, r, PUBLIC) and need > 0:
             wish = need + need * 6 / 10
         if need == 0 and has(p, r, WET):
-            wish = wp.max(p.least_window, window_need(p, area[r]))
+            wish = wp.max(p[0].least_window, window_need(p, area[r]))
         if wish > 0:
             total = int(0)
             longest = int(0)
@@ -109,7 +110,7 @@ def place_windows(
             best_facade = int(-1)
             for i in range(count):
                 if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                    for f in range(p.facade.shape[0]):
+                    for f in range(p[0].facade.shape[0]):
                         s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
                         total += s[1] - s[0]
                         if s[1] - s[0] > longest:
@@ -125,7 +126,7 @@ def place_windows(
                 else:
                     for i in range(count):
                         if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                            for f in range(p.facade.shape[0]):
+                            for f in range(p[0].facade.shape[0]):
                                 s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
                                 if s[1] > s[0]:
                                     part = float(wish) * float(s[1] - s[0]) / float(total)

@@ -156,3 +156,15 @@ def warp_argmin(value: wp.float32) -> wp.int32:
 def next_slot(counter: wp.array(dtype=wp.int32)) -> wp.int32:  # pyright: ignore[reportInvalidTypeForm]
     """Count up ``counter[0]`` and return its value before; one atomic addition serves all lanes that come here."""
     ...
+
+
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    return __popc(__ballot_sync(__activemask(), holds));
+#else
+    return holds ? 1 : 0;
+#endif
+""")
+def lanes_with(holds: wp.bool) -> wp.int32:
+    """Of how many lanes that come here together this holds."""
+    ...

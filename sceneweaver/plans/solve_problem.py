@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -28,6 +28,14 @@ PANE = 1400
 """Height of windows [mm]."""
 SILL = 800
 """Height of a window's lower edge above the floor [mm]."""
+SETS = {
+    "through": tables.THROUGH,
+    "suites": tables.SUITE,
+    "annexes": tables.ANNEX,
+    "stairs": tables.STAIRS,
+    "wet_rooms": tables.WET,
+}
+"""Rooms as bits, by the flag that they have."""
 WINDOW = (600, 2400)
 """Least and most width of a window [mm]."""
 DOOR = 800
@@ -47,6 +55,13 @@ KINDS = {"door": tables.DOOR, "open": tables.OPEN, "near": tables.NEAR, "apart":
 UNBOUNDED = 2_000_000_000
 SIDES = {(0, -1): 1, (1, 0): 2, (0, 1): 3, (-1, 0): 0}
 """Side of the walls by the way out: `plan_tables.SOUTH` and so on."""
+
+
+class DeviceProblem(NamedTuple):
+    """A problem on a device: what kernels take, and what has to live as long as they run."""
+
+    ref: wp.array
+    keep: PlanProblem
 
 
 @dataclass(frozen=True)
@@ -76,14 +91,14 @@ class CompiledPlan:
         """How many cells a plan may have, with its fixed ones."""
         return self.numbers["cells"] + (2 * self.programme.storeys if self.stairwell else 0)
 
-    def on_device(self, device: str) -> Any:
+    def on_device(self, device: str) -> DeviceProblem:
         """The tables on a device."""
         problem = PlanProblem()
         for table in PROBLEM:
             setattr(problem, table.name, wp.array(self.arrays[table.name], dtype=table.dtype, device=device))
         for name, value in self.numbers.items():
             setattr(problem, name, value)
-        return problem
+        return DeviceProblem(wp.array([problem], dtype=PlanProblem, device=device), problem)
 
 
 class Rows:
@@ -174,6 +189,9 @@ def compile_plan(programme: Programme, envelope: Envelope, profile: Profile | st
         "turning": mm(turning),
         "weights": _weights(rows),
     }
+    for name, flag in SETS.items():
+        has = (arrays["room_flags"] & int(flag)) != 0
+        numbers[name] = sum(1 << int(room) for room in np.flatnonzero(has))
     return CompiledPlan(programme, envelope, profile, tuple(frames), stairwell, arrays, numbers)
 
 

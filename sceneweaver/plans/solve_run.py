@@ -110,10 +110,10 @@ def run_rounds(
     def one_round(part: Any, active: np.ndarray) -> None:
         which = wp.array(active, dtype=wp.int32, device=device)
         options = {"dim": len(active), "device": device, "block_dim": BLOCK}
-        wp.launch(search_plans, inputs=[problem, moves, MORE, HOT, COLD, which], outputs=[part], **options)
-        wp.launch(solve_cuts, inputs=[problem, STEPS, which], outputs=[part], **options)
-        wp.launch(place_cells, inputs=[problem, which], outputs=[part], **options)
-        wp.launch(judge_cells, inputs=[problem, which], outputs=[part], **options)
+        wp.launch(search_plans, inputs=[problem.ref, moves, MORE, HOT, COLD, which], outputs=[part], **options)
+        wp.launch(solve_cuts, inputs=[problem.ref, STEPS, which], outputs=[part], **options)
+        wp.launch(place_cells, inputs=[problem.ref, which], outputs=[part], **options)
+        wp.launch(judge_cells, inputs=[problem.ref, which], outputs=[part], **options)
 
     def work(first: int) -> bool:
         """All rounds of a piece, whether time was up."""
@@ -161,6 +161,7 @@ def judge_rectangles(plan: CompiledPlan, cells: np.ndarray, device: str = "cpu")
     for name, values in given.items():
         getattr(state, name).assign(values)
     active = wp.array(np.arange(len(cells)), dtype=wp.int32, device=device)
-    inputs = [plan.on_device(device), active]
+    problem = plan.on_device(device)
+    inputs = [problem.ref, active]
     wp.launch(judge_cells, len(cells), inputs, [state], device=device, block_dim=BLOCK)
     return {table.name: getattr(state, table.name).numpy() for table in STATE}

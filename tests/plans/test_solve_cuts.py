@@ -11,7 +11,7 @@ import warp as wp
 from sceneweaver.kernels import plan_tables as T
 from sceneweaver.kernels.plan_cuts import bound_cuts, pull_rooms, pull_ways
 from sceneweaver.kernels.plan_forests import append_row
-from sceneweaver.kernels.plan_tables import PlanProblem
+from sceneweaver.kernels.plan_tables import PlanProblemRef
 from sceneweaver.kernels.plan_tree import insert_beside, lay_out, measure_trees, parent_of, subtree_end, take_out
 from sceneweaver.kernels.plan_ways import survey_pairs
 from tests.plans.solved import candidates, problem
@@ -21,7 +21,7 @@ CODE, CELLS = T.MAX_CODE, T.MAX_CELLS
 
 @wp.kernel(enable_backward=False, module="unique")
 def cost_and_gradient(
-    p: PlanProblem,
+    p: PlanProblemRef,
     frame: wp.int32,
     code: wp.array(dtype=wp.int32),
     n: wp.int32,
@@ -45,7 +45,7 @@ def cost_and_gradient(
     wets = wp.zeros(shape=(CELLS,), dtype=wp.int32)
     area = wp.zeros(shape=(CELLS,), dtype=wp.int32)
     measure_trees(p, code, n, weight, end, least, share)
-    bound_cuts(code, n, p.bay_start[frame + 1] - p.bay_start[frame], end, bounds, cell_bounds)
+    bound_cuts(code, n, p[0].bay_start[frame + 1] - p[0].bay_start[frame], end, bounds, cell_bounds)
     count = lay_out(p, frame, code, n, False, end, least, share, box, level, cut, cells, storey)
     _shape = survey_pairs(p, frame, count, cells, storey, touch, wets, area)
     cost = pull_rooms(p, count, frame, cells, storey, area, cell_bounds, gradient, curvature)
@@ -75,7 +75,7 @@ def test_gradients_are_those_of_finite_differences(loose):
         def at(cuts, k=k, n=n, code=code, weight=weight):
             cost, gradient = wp.zeros(1, device="cpu"), wp.zeros(CODE, device="cpu")
             given = wp.array(cuts, dtype=wp.int32, device="cpu")
-            inputs = [p, int(found["frame"][k]), code, n, weight, frozen, given]
+            inputs = [p.ref, int(found["frame"][k]), code, n, weight, frozen, given]
             wp.launch(cost_and_gradient, 1, inputs, [cost, gradient], device="cpu")
             return float(cost.numpy()[0]), gradient.numpy()
 
