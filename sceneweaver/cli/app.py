@@ -1071,11 +1071,22 @@ def problems_export(
 
 
 @app.command()
-def warm(device: Device = "auto", as_json: Json = False) -> int:
+def warm(
+    device: Device = "auto",
+    arch: Annotated[
+        int | None,
+        typer.Option(
+            metavar="SM",
+            help="Compile for GPUs of this compute capability (90: H100, H200), which need not be here.",
+            show_default=False,
+        ),
+    ] = None,
+    as_json: Json = False,
+) -> int:
     """Compile all kernels ahead, so that no first run waits for that; needed once, and after an update."""
     from .warm import run_warm
 
-    return run_warm(device, as_json=as_json)
+    return run_warm(device, arch, as_json=as_json)
 
 
 @problems.command("verify")

@@ -9,12 +9,12 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.io import InputError
-from sceneweaver.kernels import load, plan_tables
+from sceneweaver.kernels import load, plan_tables, variants_of
 from sceneweaver.kernels.plan_cuts import solve_cuts
 from sceneweaver.kernels.plan_search import search_plans
 from sceneweaver.kernels.plan_tables import STATE, PlanState
 from sceneweaver.kernels.plan_verdict import judge_cells, place_cells
-from sceneweaver.runtime.compiling import start_warp
+from sceneweaver.runtime.compiling import Variant, start_warp
 from sceneweaver.runtime.threads import cores, map_threads
 
 from .solve_problem import CompiledPlan
@@ -32,9 +32,9 @@ BLOCK = 64
 """Threads of a block on a GPU."""
 
 
-def kernel_modules() -> list[wp.Module]:
+def kernel_modules() -> list[Variant]:
     """The modules of floor plans, to be compiled ahead."""
-    return [kernel.module for kernel in (search_plans, solve_cuts, judge_cells)]
+    return [variant for name in MODULES for variant in variants_of(name)]
 
 
 def pick_device(device: str) -> str:

@@ -27,8 +27,8 @@ from .processes import cores
 
 log = logging.getLogger(__name__)
 
-THREADS = 2
-"""Modules that are compiled side by side."""
+THREADS = 2, 8
+"""Modules that are compiled side by side: at least, and at most where there are so many cores."""
 
 SECONDS = {
     "search": 8.0,
@@ -37,6 +37,8 @@ SECONDS = {
     "gradients_gpu": 5.0,
     "proposals": 5.0,
     "cache_kernels": 4.0,
+    "plan_cuts": 3.5,
+    "plan_search": 3.5,
     "quality": 3.5,
     "develop_kernels": 3.5,
     "residuals": 3.3,
@@ -134,6 +136,12 @@ def start_warp() -> None:
             _started = True
 
 
+def threads() -> int:
+    """How many modules are compiled side by side here."""
+    least, most = THREADS
+    return min(max(cores(), least), most)
+
+
 def kernel_cache() -> Path:
     """The folder of compiled kernels; Warp is started for that."""
     start_warp()
@@ -164,8 +172,50 @@ def load(device: Device, modules: Iterable[Module | Variant]) -> int:
             _compile(missing, where)
     for block in dict.fromkeys(variant.block for variant in wanted):
         own = [variant.module for variant in wanted if variant.block == block]
-        wp.force_load(where, own, block_dim=block, max_workers=THREADS)
+        wp.force_load(where, own, block_dim=block, max_workers=threads())
     return len(missing)
+
+
+def compile_for(arch: int, modules: Iterable[Module | Variant]) -> int:
+    """Compile for GPUs of an architecture, of which none need be here, into the cache that `kernel_cache` names.
+
+    Args:
+        arch: compute capability without its point: 90 for an H200.
+        modules: as for `load`.
+
+    Returns:
+        How many were compiled.
+
+    Raises:
+        ValueError: the compiler does not know the architecture.
+    """
+    start_warp()
+    wp = import_module("warp")
+    known = wp.get_cuda_supported_archs()
+    if arch not in known:
+        raise ValueError(f"{arch} is not one of {', '.join(map(str, known))}")
+    cache = Path(wp.config.kernel_cache_dir)
+    missing: dict[Module, list[int]] = {}
+    for module in modules:  # all names first: to compile a module changes what names of others are made of
+        own, block = module if isinstance(module, Variant) else Variant(module)
+        block = block or own.options["block_dim"]
+        name = own.get_module_identifier(block)
+        if block not in missing.get(own, ()) and not (cache / name / f"{name}.sm{arch}.cubin").exists():
+            missing.setdefault(own, []).append(block)
+
+    def compile_module(module: Module) -> int:
+        """All variants of a module, one after the other: the module itself says which is meant."""
+        usual = module.options["block_dim"]
+        try:
+            for block in missing[module]:
+                module.options["block_dim"] = block
+                wp.compile_aot_module(module, arch=arch, use_ptx=False)
+        finally:
+            module.options["block_dim"] = usual
+        return len(missing[module])
+
+    with _compiling, ThreadPoolExecutor(threads()) as pool:
+        return sum(pool.map(compile_module, missing))
 
 
 def _compile(modules: Sequence[Variant], device: Any) -> None:
@@ -175,11 +225,11 @@ def _compile(modules: Sequence[Variant], device: Any) -> None:
         return
     _move_where_there_is_room(wp)
     seconds = [_seconds_of(variant.module, device) for variant in modules]
-    about, begun = _busy() * max(sum(seconds) / THREADS, *seconds), time.monotonic()
+    about, begun = _busy() * max(sum(seconds) / threads(), *seconds), time.monotonic()
     tell = _watchers[-1] if _watchers else _note
     tell(Compiling(0, len(modules), 0.0, about))
     order = sorted(range(len(modules)), key=lambda i: -seconds[i])
-    with ThreadPoolExecutor(THREADS) as pool:
+    with ThreadPoolExecutor(threads()) as pool:
         work = {pool.submit(_compile_one, modules[i], device): seconds[i] for i in order}
         share = 0.0
         try:
@@ -208,7 +258,7 @@ def _compile_one(variant: Variant, device: Any) -> None:
 def _busy() -> float:
     """How many times longer work takes as other processes want the cores as well."""
     with contextlib.suppress(OSError, AttributeError):
-        return max(1.0, (os.getloadavg()[0] + THREADS) / max(cores(), THREADS))
+        return max(1.0, (os.getloadavg()[0] + threads()) / max(cores(), threads()))
     return 1.0
 
 

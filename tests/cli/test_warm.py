@@ -18,9 +18,10 @@ FEW = """
 import sys
 from sceneweaver.kernels import variants_of
 from sceneweaver.layout import warming
+from sceneweaver.plans import solve_run
 from sceneweaver.render.tracing import tracer
 warming.kernel_modules = lambda device: [*variants_of("bookkeeping"), *variants_of("chains")]
-tracer.kernel_modules = lambda: []
+tracer.kernel_modules = solve_run.kernel_modules = lambda: []
 from sceneweaver.cli import main
 sys.exit(main(sys.argv[1:]))
 """
@@ -46,6 +47,15 @@ def test_it_compiles_once_and_says_where_the_cache_is(tmp_path):
     assert again.returncode == 0 and again.stderr == ""
     told = json.loads(again.stdout)
     assert (told["modules"], told["compiled"], told["folder"], told["exit_code"]) == (2, 0, str(folder), 0)
+
+
+@pytest.mark.slow
+def test_it_compiles_for_a_gpu_that_is_not_here(tmp_path):
+    done = warm(tmp_path, "--arch", "90")
+    assert done.returncode == 0 and done.stdout.startswith("sm_90: 2 of 2 modules of kernels compiled in ")
+    assert len([*tmp_path.rglob("*.sm90.cubin")]) == 2
+    wrong = warm(tmp_path, "--arch", "12")
+    assert wrong.returncode == 2 and wrong.stderr.startswith("sceneweaver: arch: 12 is not one of ")
 
 
 def test_it_is_said_while_libraries_are_kept_quiet(capfd):

@@ -16,7 +16,7 @@ import pytest
 import warp as wp
 
 from sceneweaver.runtime import caches, compiling
-from sceneweaver.runtime.compiling import Compiling, load, watched_by
+from sceneweaver.runtime.compiling import Compiling, Variant, compile_for, load, watched_by
 from tests import warm_kernels
 from tests.layout.made import BOX, CUP, relation, table, thing
 from tests.layout.made import scene as made
@@ -91,6 +91,18 @@ def test_what_has_changed_is_compiled_anew(cache, module):
     made.mark_modified()
     assert load("cpu", [made]) == 1
     assert load("cpu", [made]) == 0
+
+
+def test_modules_are_compiled_for_a_gpu_that_is_not_here(cache, module):
+    several = [Variant(module(7)), Variant(module(7), 64), Variant(module(8), 32)]
+    block = several[0].module.options["block_dim"]
+    assert compile_for(90, several) == 3
+    names = {variant.module.get_module_identifier(variant.block) for variant in several}
+    assert {file.parent.name for file in cache.rglob("*.sm90.cubin")} == names
+    assert several[0].module.options["block_dim"] == block
+    assert compile_for(90, several) == 0
+    with pytest.raises(ValueError, match="^11 is not one of "):
+        compile_for(11, several)
 
 
 def test_what_is_said():
@@ -180,7 +192,7 @@ def test_warming_covers_every_module_that_commands_launch():
     from sceneweaver.render.tracing.tracer import kernel_modules as picture_modules
 
     warmed = {variant.module.name for device in ("cpu", "cuda:0") for variant in kernel_modules(device)}
-    warmed |= {module.name for module in (*picture_modules(), *plan_modules())}
+    warmed |= {variant.module.name for variant in plan_modules()} | {module.name for module in picture_modules()}
     all_of_them = set()
     for name in warm_kernels.modules():
         if wp.get_module(importlib.import_module(name).__name__).kernels:
@@ -197,6 +209,7 @@ def test_the_blocks_of_a_gpu_are_those_of_the_launches(monkeypatch):
     import sceneweaver as sw
     from sceneweaver import kernels
     from sceneweaver.optimizers import OPTIMIZERS, launches, search
+    from sceneweaver.plans import Envelope, Programme, solve_plans
 
     used, real_launch = set(), wp.launch
     monkeypatch.setattr(launches, "load_for", lambda kernel, device, block: used.add((kernel.module.name, block)))
@@ -211,6 +224,7 @@ def test_the_blocks_of_a_gpu_are_those_of_the_launches(monkeypatch):
     scene = made([table(), CUP, BOX, thing("other")], [relation("near", "box", "other", max=0.4)])
     for optimizer in OPTIMIZERS:
         sw.refine(scene, candidates=2, device="cpu", steps=1, optimizer=optimizer, snap=True)
+    solve_plans(Programme.example("flat-1-bedroom"), Envelope.rectangle(9, 7), candidates=2, moves=1, device="cpu")
     own = f"{kernels.__name__}."
     used = {(name.removeprefix(own), block) for name, block in used if name.startswith(own)}
     used = {("gradients_gpu" if name == "gradients" else name, block) for name, block in used}
