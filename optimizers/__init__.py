@@ -1,5 +1,7 @@
 """Batched search and optimisers over a compiled problem."""
 
+from sceneweaver.kernels.streams import streams as streams
+
 from . import lbfgs as lbfgs  # each enters itself
 from . import projection as projection
 from . import search as search
@@ -13,7 +15,6 @@ from .base import register as register
 from .batch import Batch as Batch
 from .batch import load_poses as load_poses
 from .batch import new_state as new_state
-from .batch import streams as streams
 from .run import run as run
 from .verdict import Verdict as Verdict
 from .verdict import judge as judge

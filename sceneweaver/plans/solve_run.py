@@ -14,6 +14,7 @@ from sceneweaver.kernels.plan_cuts import solve_cuts
 from sceneweaver.kernels.plan_search import search_plans
 from sceneweaver.kernels.plan_tables import STATE, PlanState
 from sceneweaver.kernels.plan_verdict import judge_cells, place_cells
+from sceneweaver.kernels.streams import streams
 from sceneweaver.runtime.compiling import Variant, start_warp
 from sceneweaver.runtime.threads import cores, map_threads
 
@@ -51,20 +52,6 @@ def pick_device(device: str) -> str:
     if name not in known:
         raise InputError(f'device: "{device}" is not there; give auto or one of {", ".join(known)}')
     return name
-
-
-def streams(seed: int, candidates: int) -> np.ndarray:
-    """Seeds of the candidates' random streams: of the run's seed and the candidate's number alone (MurmurHash3)."""
-    mask = np.uint64(0xFFFFFFFF)
-    x = np.arange(candidates, dtype=np.uint64) * np.uint64(0x9E3779B1) + np.uint64(seed % 2**32) * np.uint64(0x85EBCA77)
-    for _ in range(2):
-        x &= mask
-        x ^= x >> np.uint64(16)
-        x = (x * np.uint64(0x85EBCA6B)) & mask
-        x ^= x >> np.uint64(13)
-        x = (x * np.uint64(0xC2B2AE35)) & mask
-        x ^= x >> np.uint64(16)
-    return x.astype(np.uint32)
 
 
 def new_state(candidates: int, device: str) -> Any:
@@ -105,7 +92,7 @@ def run_rounds(
     load(device, *MODULES)
     problem = plan.on_device(device)
     state = new_state(candidates, device)
-    state.rng.assign(streams(seed, candidates))
+    state.rng.assign(streams(seed, np.arange(candidates)))
 
     def one_round(part: Any, active: np.ndarray) -> None:
         which = wp.array(active, dtype=wp.int32, device=device)
