@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sceneweaver.home import Home
-from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan
+from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan
 from sceneweaver.plans.solve import solve_plans
 from sceneweaver.scene import InputError
 
@@ -48,7 +48,7 @@ def plan_home(
     envelope: Envelope,
     *,
     seed: int = 0,
-    profile: str = "base",
+    profile: Profile | str = "base",
     candidates: int = 4096,
     device: str = "auto",
     time_limit: float | None = None,

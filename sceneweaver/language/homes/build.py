@@ -20,6 +20,7 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     """How many storeys there are, and on which each room is told to be."""
     level = {"ground": 0, "first": 1, "second": 2, "third": 3}
     told = [room.storey for room in rooms if room.storey]
+    told += [storey for storey in (reading.sleep_storey, reading.live_storey) if storey]
     least = 1 + max([level[s] for s in told if s in level], default=0)
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
@@ -44,6 +45,11 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
     said: list[str] = []
     if count == 1:
         return said
+    level = {"ground": 0, "upper": 1, "first": 1, "second": min(2, count - 1), "third": min(3, count - 1)}
+    for storey, belongs in ((reading.sleep_storey, _sleeps), (reading.live_storey, _lives)):
+        if storey is not None:
+            high = level.get(storey, count - 1)
+            placed |= {room.id: high for room in rooms if placed.get(room.id) is None and belongs(room)}
     if reading.accessible:
         beds = [room for room in rooms if bedroomlike(room.kind)]
         first = next((r for r in beds if r.kind.name == "senior_bedroom"), beds[0] if beds else None)
@@ -65,6 +71,15 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
     _bathrooms(reading, rooms, count, placed)
     said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
     return said
+
+
+def _sleeps(room: Room) -> bool:
+    return bedroomlike(room.kind)
+
+
+def _lives(room: Room) -> bool:
+    """Whether a room is one that a flat has: to sleep, to live, to cook, to wash in."""
+    return bool(room_type(room.type).roles & {"sleeping", "living", "cooking", "eating", "sanitary"})
 
 
 def _bathrooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> None:

@@ -41,6 +41,9 @@ _BEHIND_LIST = ("and", "on", "of", "in", "for", "by", "/", "&", "or", "with", "a
 PLACES_TO_WORK = ("desk", "hot desk", "workplace", "workstation")
 """Names of places to work: many of them are in one room."""
 
+_SPACES = ("room", "space", "area", "hall", "office")
+"""What an open room for many is called."""
+
 _ONLY_COUNTED = (
     "room",
     "double",
@@ -75,7 +78,7 @@ def read_mentions(reading: Reading) -> None:
             reading.named.append(_named(reading, at, kind))
         elif token.text == "one" and (other := _another(reading, at)) is not None:
             reading.named.append(other)
-        elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
+        elif token.text in ("sleeps", "sleep", "together") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
     _en_suites(reading)
 
@@ -149,7 +152,7 @@ def _another(reading: Reading, at: int) -> Named | None:
 
 
 def _sleeper(reading: Reading, at: int) -> Named | None:
-    """ "Grandad sleeps downstairs": his bedroom."""
+    """ "Grandad sleeps downstairs", "the boys together in bunk beds": their bedroom."""
     before = reading.tokens[at - 1] if at else None
     kinds = {
         "seniors": "senior_bedroom",
@@ -161,7 +164,7 @@ def _sleeper(reading: Reading, at: int) -> Named | None:
         "babies": "nursery",
     }
     name = kinds.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
-    if name is None:
+    if name is None or reading.tokens[at].text == "together" and name != "childrens_room":
         return None
     reading.did(at, "rooms")
     return Named(
@@ -196,15 +199,22 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return None
     if at and (_is_compound_thing(tokens[at - 1], token) or _worked_in(tokens, at)):
         return None
+    if use.plan == "office" and use.name != "school" and _is_open(tokens, at, single):
+        return room_kinds()["open_office"]
+    if _for_each(reading, at):
+        return room_kinds()[meant or "bedroom"]
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and (done := _by_activity(reading, at)) is not None:
         return done
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
-        if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
+        last, home = words[-1] if words else "", use.plan in ("flat", "house")
+        if home and "noun" not in vocabulary().get(last, {}) and not last.endswith("ing"):
             return room_kinds()[meant or "bedroom"]  # "a lockable room"
-        base = room_kinds()[meant or "bedroom"] if use.plan not in ("flat", "house") else room_kinds()["hobby_room"]
+        base = room_kinds()[meant or "bedroom"]
+        if home or last.endswith("ing"):  # "a grooming room", "a printing room": what is done there
+            base = room_kinds()["hobby_room" if home else "storage_room" if use.plan == "office" else base.name]
         return RoomKind(base.name, base.type, " ".join([*words, "room"]), base.counts_as)
     if meant is not None:
         options = [option for option in meant.split("|") if option in room_kinds()]
@@ -212,6 +222,32 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if token.has("room"):
         return room_kinds()[token.get("room")]
     return known_room(token.get("known_room"), single)
+
+
+def _is_open(tokens: Sequence[Token], at: int, single: str) -> bool:
+    """ "One open room", "eight people in one large space": where all who are named work together."""
+    if single not in _SPACES:
+        return False
+    start = at
+    while start and (tokens[start - 1].has("size", "soft", "own", "number") or tokens[start - 1].text in ("a", "in one")):
+        start -= 1
+    said = {word for t in tokens[start:at] for word in t.text.split()}
+    if said & {"open", "open-plan"}:
+        return True
+    if not said & {"one", "single", "same"}:
+        return False
+    inside = "in" in tokens[start].text.split() or start > 0 and tokens[start - 1].text in ("in", "in the", "together in")
+    before = tokens[max(0, start - 6) : start]
+    return inside and any(t.has("person", "staff") or plain(_singular(t)) in PLACES_TO_WORK for t in before)
+
+
+def _for_each(reading: Reading, at: int) -> bool:
+    """ "A room for each of them": a bedroom for everybody who has none yet."""
+    tokens = reading.tokens
+    if reading.use.plan not in ("flat", "house") or tokens[at].text not in ("room", "bedroom") or at + 2 >= len(tokens):
+        return False
+    one, two = tokens[at + 1], tokens[at + 2]
+    return one.text == "for each" and two.has("of_them") or one.text == "for" and two.text in ("each of them", "each of us")
 
 
 def _by_activity(reading: Reading, at: int) -> RoomKind | None:
@@ -311,6 +347,11 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
         found.count, found.told = 1, ""
+    if kind.name == "open_office" and said in _SPACES:  # where those who were named work
+        found.count, found.told = 1, ""
+        found.definite = any(one.kind.name == kind.name for one in reading.named)
+    if _for_each(reading, at):
+        found.count, found.told = None, "each"
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found

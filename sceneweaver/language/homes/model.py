@@ -7,7 +7,7 @@ from typing import Literal
 
 from sceneweaver.io import InputError
 from sceneweaver.language.model import Span, Unread
-from sceneweaver.plans import Envelope, Programme, envelope_for
+from sceneweaver.plans import Envelope, Profile, Programme, Rule, envelope_for
 from sceneweaver.plans.programme import AdjacencyKind
 
 
@@ -103,6 +103,7 @@ class HomeRequest:
         l_shape: whether the envelope is L-shaped.
         window_sides: how many sides may have windows.
         storeys: how many were asked for in so many words.
+        doors, ways: least clear widths [m] of all doors, and of halls and corridors.
         excluded: types of rooms that are not wanted.
         understood: the words of the request with what became of them.
         assumed: what the request does not say and was chosen, one line each.
@@ -126,6 +127,8 @@ class HomeRequest:
     l_shape: bool = False
     window_sides: int | None = None
     storeys: int | None = None
+    doors: float | None = None
+    ways: float | None = None
     excluded: tuple[str, ...] = ()
     understood: tuple[Understood, ...] = ()
     assumed: tuple[str, ...] = ()
@@ -140,6 +143,26 @@ class HomeRequest:
         raise InputError(
             f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}"
         )
+
+    @property
+    def rules(self) -> Profile:
+        """The profile with a hard row for each width that is asked for.
+
+        Examples:
+            >>> from sceneweaver.language.homes import read_home
+            >>> read_home("a two-bedroom flat, all doors 95 cm wide").rules.rule("asked-doors").least
+            0.95
+        """
+        profile = Profile.named(self.profile)
+        rows = [
+            Rule(id=name, measure=measure, of=of, least=least, says=f"{what} are {least:g} m wide.", source="the request")
+            for name, measure, of, least, what in (
+                ("asked-doors", "door_width", ("entrance-door", "inner-door"), self.doors, "Doors"),
+                ("asked-ways", "passage", ("circulation", "-stairs"), self.ways, "Halls"),
+            )
+            if least is not None
+        ]
+        return profile.model_copy(update={"rows": (*profile.rows, *rows)}) if rows else profile
 
     def envelope(self, seed: int = 0) -> Envelope:
         """What the plan has to fit into: of the sides, the shape and the light that are asked for, and else as

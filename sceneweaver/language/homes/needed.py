@@ -19,7 +19,8 @@ def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
         if have < count and not _named_for_staff(reading, rooms):
             _add(rooms, kind, count - have)
             said.append(f"{count} x {kind.replace('_', ' ')}: one for each who works there")
-    if reading.visitors and not any(room.kind.name == "guest_room" for room in rooms) and reading.use.plan == "house":
+    guests = reading.visitors and reading.use.plan == "house" and not _numbered(reading)
+    if guests and not any(room.kind.name == "guest_room" for room in rooms):
         _add(rooms, "guest_room", 1)
         said.append("a guest room: for those who come to stay")
     for name, count in reading.use.needs.items():
@@ -62,20 +63,20 @@ def _instead(name: str, rooms: list[Room], barred: set[str]) -> bool:
     )
 
 
+def _numbered(reading: Reading) -> bool:
+    """Whether a number of bedrooms is told, which then are all of them."""
+    return any(
+        one.of is None and one.told in ("number", "total") and one.kind.name in ("bedroom", "studio_room")
+        for one in reading.named
+    )
+
+
 def _bedrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name != "guest_room"]
     if any(room.type in ("dormitory", "studio_apartment", "ward") for room in rooms) or reading.use.name in ("hostel",):
         return []
-    generic = [
-        one
-        for one in reading.named
-        if one.of is None
-        and bedroomlike(one.kind)
-        and one.told in ("number", "total")
-        and one.kind.name in ("bedroom", "studio_room")
-    ]
     said: list[str] = []
-    if not generic:
+    if not _numbered(reading):
         need = dict(bedrooms_for(reading))
         spare = list(own)
         for kind in need:  # rooms that are named for those people, then any other bedroom

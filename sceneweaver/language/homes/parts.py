@@ -19,7 +19,8 @@ class Named:
         kind: of the rooms.
         at, first, last: number of the token that names them, and of the first and the last one of the phrase.
         count: how many; None where it is open ("meeting rooms").
-        told: how its number was told: "number", "article", "total" (of a two-bedroom flat), or "" for none.
+        told: how its number was told: "number", "article", "total" (of a two-bedroom flat), "each" (one for each of
+            the people), or "" for none.
         definite: whether it is "the" or somebody's, so that it may have been named before.
         all: whether it is every one of them.
         of: the rooms that it refers to some of.
@@ -104,6 +105,8 @@ class Reading:
     """Whether the rooms that all use are told to be on the ground floor."""
     share: bool = False
     """Whether children share."""
+    together: bool = False
+    """Whether all children have one room."""
     visitors: bool = False
     workers: int | None = None
     staff: dict[str, int] = field(default_factory=dict[str, int])
@@ -115,6 +118,12 @@ class Reading:
     """Factor on the usual areas of all rooms."""
     width: float | None = None
     depth: float | None = None
+    doors: float | None = None
+    ways: float | None = None
+    """Least clear widths [m] of doors, and of halls."""
+    sleep_storey: str | None = None
+    live_storey: str | None = None
+    """The storeys on which all who live there are told to sleep, and to have all rooms of theirs."""
     l_shape: bool = False
     window_sides: int | None = None
     styles: list[str] = field(default_factory=list[str])

@@ -26,6 +26,7 @@ from .resolve import Room, bedroomlike, resolve
 from .site import read_site
 from .tokens import Spoken, spoken
 from .use_named import use_by_rooms, use_in
+from .widths import read_widths
 from .wishes import read_wishes
 
 _OF_CHILDREN = ("nursery", "childrens_room", "teen_bedroom", "playroom")
@@ -75,6 +76,8 @@ def read_home(request: str) -> HomeRequest:
         area=round(sum(reading.area) / 2, 1) if reading.area else None,
         width=reading.width,
         depth=reading.depth,
+        doors=reading.doors,
+        ways=reading.ways,
         l_shape=reading.l_shape,
         window_sides=reading.window_sides,
         storeys=reading.storeys or (1 if reading.one_storey else None),
@@ -107,6 +110,7 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     read_mentions(reading)
     read_joints(reading)
     read_floors(reading)
+    read_widths(reading)
     read_site(reading)
     read_people(reading)
     read_each(reading)
