@@ -17,7 +17,7 @@ from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
 from sceneweaver.language.homes import HomeRequest, demands, is_home, read_home
 from sceneweaver.language.homes import room_requests as told_requests
-from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan, envelope_for, feasible
+from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan, envelope_for, feasible, totalled
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.options import PictureSet
 from sceneweaver.scene import InputError
@@ -184,6 +184,11 @@ class _Asked:
         """Ids of the rooms whose area was asked for."""
         return areas_asked(self.request, self.programme)
 
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Ids of the rooms that are to have a door outside."""
+        return tuple(room.id for room in self.request.rooms if room.outside) if self.request is not None else ()
+
     def envelope_of(self, programme: Programme, seed: int, own: bool = False) -> Envelope:
         """What a plan of the programme has to fit into; ``own``: whatever sides were asked for."""
         if self.envelope is not None:
@@ -235,9 +240,7 @@ class _Run:
 
     def go(self, started: float) -> HomeResult:
         """Plan, furnish, and go back to the plan where that does not hold what it has to."""
-        possible, raises = feasible(self.asked.programme, self.asked.profile, self.asked.areas)
-        programme, more = furnishable(possible, self._texts(), self.asked.areas)
-        raises += more
+        programme, raises = self._possible()
         first, home = 0, None
         if self.folder is not None:
             had = self.folder.begin(self._key)
@@ -301,6 +304,15 @@ class _Run:
             _total(self.spent, started),
             (f"rooms: {done.cut_off}",) if done.cut_off else (),
         )
+
+    def _possible(self) -> tuple[Programme, tuple[str, ...]]:
+        """The programme as rules and furniture allow it, and what gave way."""
+        asked = self.asked
+        possible, raises = feasible(asked.programme, asked.profile, asked.areas)
+        programme, more = furnishable(possible, self._texts(), asked.areas)
+        if asked.request is not None and asked.request.area is not None:
+            programme = totalled(programme, asked.request.area, asked.areas, asked.profile)
+        return programme, (*raises, *more)
 
     @property
     def _key(self) -> dict[str, Any]:
@@ -377,6 +389,7 @@ class _Run:
                     device=self.device,
                     time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
                     prompt=self.asked.prompt,
+                    outside=self.asked.outside,
                 )
             except InputError as error:
                 wrong = wrong or error

@@ -85,7 +85,7 @@ def areas_asked(request: HomeRequest | None, programme: Programme) -> frozenset[
     """Ids of the rooms whose size was said; all where there is no request."""
     if request is None:
         return frozenset(room.id for room in programme.rooms)
-    return frozenset(room.id for room in request.rooms if room.area is not None or room.size)
+    return frozenset(room.id for room in request.rooms if room.area is not None or room.size or room.equal)
 
 
 def _wider(room: RoomSpec, share: float) -> RoomSpec:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from sceneweaver.language.vocabulary import NUMBERS
 from sceneweaver.plans import Programme, RoomSpec, room_type
@@ -20,6 +20,9 @@ CLEARLY = 1.1
 
 EXACT = 0.05
 """Share by which a room may be off an area that is said."""
+
+ALIKE = 0.06
+"""Share by which rooms of one size may be off it."""
 
 FITS = (0.65, 2.0)
 """Factors between which usual areas are fitted to the area of the home."""
@@ -85,6 +88,18 @@ def balanced(programme: Programme, told: Collection[str], area: float | None = N
             update["area"] = _stretched(room, factor)
         rooms.append(room.model_copy(update=update))
     return programme.model_copy(update={"rooms": tuple(rooms)})
+
+
+def alike(programme: Programme, groups: Iterable[Collection[str]]) -> Programme:
+    """The programme in which rooms of a group are of one size: none is larger than another by more than 2 `ALIKE`."""
+    rooms = {room.id: room for room in programme.rooms}
+    for group in groups:
+        there = [rooms[name] for name in group if name in rooms]
+        target = round(sum(room.area[1] for room in there) / max(1, len(there)), 1)
+        area = (round(target * (1 - ALIKE), 2), target, round(target * (1 + ALIKE), 2))
+        if len(there) > 1:
+            rooms |= {room.id: room.model_copy(update={"area": area}) for room in there}
+    return programme.model_copy(update={"rooms": tuple(rooms.values())})
 
 
 def _stretched(room: RoomSpec, factor: float) -> tuple[float, float, float]:

@@ -147,8 +147,10 @@ def joined(
 
 
 def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
-    """Whether a door between two rooms may be the way to one of them; else it is one door more than they need."""
-    return any(room_type(room.type).transit != "none" for room in rooms if room.id in (a, b))
+    """Whether a door between two rooms may be the way to one of them, or one door more than they need; a room that is
+    entered by the door that it asks for has no other."""
+    kinds = [room_type(room.type) for room in rooms if room.id in (a, b)]
+    return any(kind.transit != "none" for kind in kinds) or not any("annex" in kind.roles for kind in kinds)
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:

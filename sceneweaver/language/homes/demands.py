@@ -51,6 +51,7 @@ def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
             for joint in request.joints
             if joint.b or joint.place in ("entrance", "street")
         ),
+        *_outside(request, measured),
         *_storeys(request, measured),
         *_profile(request, measured),
         *_envelope(request, measured),
@@ -189,6 +190,14 @@ def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome
     near = [n is not None and n <= 1 for n in found.values()]
     good = far if joint.kind == "apart" else near
     return HomeDemand("joint", f"{joint.kind}: {words}", _status(all(good), any(good)), detail)
+
+
+def _outside(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
+    for room in request.rooms:
+        there = _place(room.id, request, measured)
+        if room.outside and there is not None:
+            has = any(door.room == there.id and door.to is None for door in measured.home.doors)
+            yield HomeDemand("outside", f"{room.id}: a door outside", _status(has), "a door" if has else "none")
 
 
 def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:

@@ -74,7 +74,7 @@ def _place(reading: Reading, sentence: range) -> None:
         if behind and _leads(reading, sentence, names, k):
             leads.append((k, behind))
         elif ahead:
-            _put(reading, k, _joined(reading, ahead, k))
+            _put(reading, k, _joined(reading, ahead, max((at for at, _ in leads), default=-1)))
     for k, behind in leads:
         _put(reading, k, behind)
 
@@ -165,13 +165,16 @@ def _is_of_home(reading: Reading, at: int) -> bool:
     return at == use_at - 1 or (at > use_at and len(between) <= 2)
 
 
-def _joined(reading: Reading, ahead: list[Named], at: int) -> list[Named]:
-    """The rooms right before a word: the last one, and those of its list where "and" ends that."""
+def _joined(reading: Reading, ahead: list[Named], led: int) -> list[Named]:
+    """The rooms right before a word: the last one, and those of its list where "and" ends that; behind the word number
+    ``led``, which a clause began with, a comma ends the list as well."""
     tokens = reading.tokens
     chosen = [ahead[-1]]
     listed = False
     for one in reversed(ahead[:-1]):
         gap = [t for t in tokens[one.last + 1 : chosen[-1].first]]
+        if one.at > led >= 0 and any(t.breaks for t in gap):
+            break
         if any(t.text == "and" for t in gap) and len(gap) <= 2:
             listed = True
         elif not (listed and len(gap) == 1 and gap[0].text == ","):

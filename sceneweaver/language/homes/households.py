@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .lexicon import plain
+from .mentions import is_thing
 from .parts import Named, Person, Reading
 from .tokens import Token
 
@@ -47,7 +48,7 @@ def _sentence(reading: Reading, sentence: range) -> None:
         if token.text in ("each", "everyone", "everybody") and _gets_a_room(reading, at, sentence):
             reading.own_rooms = True
             reading.did(at, "people")
-        if not token.has("person", "staff", "me", "we", "groups", "visitors"):
+        if not token.has("person", "staff", "me", "we", "groups", "visitors") or names_thing(tokens, at):
             continue
         room = _of_room(reading, names, at)
         if room is not None:
@@ -238,6 +239,12 @@ def _in_one_room(tokens: tuple[Token, ...], at: int, sentence: range) -> bool:
     said = " ".join(t.text for t in tokens[at + 1 : min(at + 7, sentence.stop)])
     shares = said.split()[:1] in (["share"], ["sharing"], ["together"]) or " together" in said or "share" in said
     return shares and any(words in said for words in ("one room", "a room", "one bedroom", "a bedroom", "same room"))
+
+
+def names_thing(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether people only say what kind of thing follows: "guest chairs", "baby bath"."""
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    return after is not None and not tokens[at].plural and not tokens[at].has("me", "we") and is_thing(after)
 
 
 def before_article(tokens: tuple[Token, ...], at: int) -> bool:

@@ -10,13 +10,16 @@ from sceneweaver.language.model import Span
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.plans import room_types as plan_types
 
-from .described import read_before, read_behind
+from .described import is_look, read_before, read_behind
 from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
 from .tokens import Token
 
 _PLACES = ("places", "seats", "beds", "couches")
 """What is counted in one room: "twelve recovery places"."""
+
+_LIKE = ("able", "ible", "y", "ed", "er", "est", "ful", "ous", "ive", "ish", "ic", "al", "ent", "ant", "less")
+"""How words end that say what a room is like, and not what it is for."""
 
 MANY = 5
 """People from which on a room of an office is one for a team."""
@@ -68,7 +71,7 @@ def read_mentions(reading: Reading) -> None:
     """Finds the rooms that a request names."""
     tokens = reading.tokens
     for at, token in enumerate(tokens):
-        if at == reading.use_at:
+        if at == reading.use_at or token.done == "rooms":
             continue
         if (total := _total(reading, at)) is not None:
             reading.named.append(total)
@@ -145,7 +148,7 @@ def _another(reading: Reading, at: int) -> Named | None:
     found = Named(
         last.kind, at, at - 2, at, _over(tokens[at - 2], tokens[at]), 1, "number", noun=last.noun, said=last.said
     )
-    found.size = tokens[at - 1].get("size")
+    found.size, found.more = tokens[at - 1].get("size"), True
     for k in range(at - 2, at + 1):
         reading.did(k, "rooms")
     return found
@@ -210,7 +213,7 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
         last, home = words[-1] if words else "", use.plan in ("flat", "house")
-        if home and "noun" not in vocabulary().get(last, {}) and not last.endswith("ing"):
+        if home and "noun" not in vocabulary().get(last, {}) and (is_look(tokens[at - 1]) or last.endswith(_LIKE)):
             return room_kinds()[meant or "bedroom"]  # "a lockable room"
         base = room_kinds()[meant or "bedroom"]
         if home or last.endswith("ing"):  # "a grooming room", "a printing room": what is done there
@@ -276,6 +279,8 @@ def _by_activity(reading: Reading, at: int) -> RoomKind | None:
 def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
+    if single == "room" and _in_its_own(tokens, at):
+        return False
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
     if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
         return False
@@ -296,6 +301,14 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     if single in ("double", "chair", *PLACES_TO_WORK, "shower"):
         return tokens[at].plural or (single == "double" and counted)
     return True
+
+
+def _in_its_own(tokens: Sequence[Token], at: int) -> bool:
+    """ "The safe in its own closed room": no room more than the one that is named so."""
+    for k in range(max(1, at - 4), at):
+        if tokens[k].text == "its" and tokens[k - 1].text == "in":
+            return True
+    return False
 
 
 def _unknown_room(tokens: Sequence[Token], at: int) -> bool:
@@ -352,6 +365,9 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
         found.definite = any(one.kind.name == kind.name for one in reading.named)
     if _for_each(reading, at):
         found.count, found.told = None, "each"
+    after = found.at + 1
+    if found.last == found.at and not said.endswith("room") and after < len(tokens) and tokens[after].text == "room":
+        found.last = after  # "an archive room"
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .lexicon import data, room_kinds
-from .parts import Reading
+from .parts import Named, Reading
 from .residents import bedrooms_for, people_told
 from .resolve import Room, bedroomlike, kind_named, new_id
 
@@ -104,11 +104,16 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     shared = [
         room
         for room in baths
-        if room.kind.name != "ensuite" and not any(one.per is not None for one in reading.named if room.id in one.ids)
+        if room.kind.name != "ensuite"
+        and not any(
+            one.per is not None or one.owner and _lives_apart(reading, one)
+            for one in reading.named
+            if room.id in one.ids
+        )
     ]
     beds = [room for room in rooms if bedroomlike(room.kind)]
     told = any(
-        one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred
+        not (one.owner and _lives_apart(reading, one)) and one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred
         for one in reading.named
     )
     own = sum(room.kind.name == "ensuite" for room in rooms)
@@ -122,6 +127,12 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     many = max(1, many - len(baths))
     _add(rooms, kind, many)
     return [f"{_counted(kind, many)}: by how many live there"]
+
+
+def _lives_apart(reading: Reading, one: Named) -> bool:
+    """Whether who has a bathroom alone lives on a storey where the others do not sleep."""
+    beds = [other for other in reading.named if other.of is None and bedroomlike(other.kind) and not other.barred]
+    return one.storey is not None and any(bed.storey not in (None, one.storey) and not bed.owner for bed in beds)
 
 
 def _accessible(reading: Reading, rooms: list[Room]) -> list[str]:

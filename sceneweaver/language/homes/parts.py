@@ -28,6 +28,9 @@ class Named:
         open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each,
             side: least width [m].
         storey: "ground", "upper" ... as it was said.
+        equal: whether they are told to be of one size; more: whether it is one more of those before ("a separate one").
+        outside: "also" or "only" where it has a door of its own that leads outside.
+        owner: whose it is told to be alone ("mother", of "her own bathroom").
         noun: what its own request calls it; said: its name in the singular.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
     """
@@ -48,6 +51,9 @@ class Named:
     area: tuple[float, float] | None = None
     side: float | None = None
     equal: bool = False
+    more: bool = False
+    owner: str = ""
+    outside: str = ""
     open: bool = False
     storey: str | None = None
     accessible: bool = False

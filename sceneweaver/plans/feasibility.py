@@ -66,6 +66,45 @@ def feasible(
     return programme.model_copy(update={"rooms": tuple(rooms)}), tuple(told)
 
 
+def totalled(
+    programme: Programme, total: float, asked: Collection[str] = (), profile: Profile | str = "base"
+) -> Programme:
+    """The programme whose rooms indoors have a floor together, or the nearest that their bounds allow.
+
+    Targets move between least and most floor, all by the same share of what is left to them; those of rooms in
+    ``asked`` stay.
+
+    Args:
+        programme: as furniture and rules have it.
+        total: floor of all rooms indoors [m2], without stairs.
+        asked: ids of rooms whose area was asked for.
+        profile: of the rules that bound areas as well.
+
+    Examples:
+        >>> from sceneweaver.plans import Programme, totalled
+        >>> programme = totalled(Programme.example("flat-2-bedrooms"), 70)
+        >>> round(sum(room.area[1] for room in programme.rooms if "outdoor" not in room.kind.roles))
+        70
+    """
+    rows = Rows(Profile.of(profile), programme.use)
+    indoors = [r for r in programme.rooms if not {"outdoor", "stairs"} & r.kind.roles]
+    free = [r for r in indoors if r.id not in asked]
+    more = total - sum(r.area[1] for r in indoors)
+    ends = {r.id: r.area[2] if more > 0 else min(r.area[1], max(r.area[0], _least(r, rows))) for r in free}
+    left = sum(abs(ends[r.id] - r.area[1]) for r in free)
+    if left < 1e-6:
+        return programme
+    share = min(1.0, abs(more) / left)
+
+    def moved(room: RoomSpec) -> RoomSpec:
+        least, target, most = room.area
+        area = (least, round(target + share * (ends[room.id] - target), 2), most)
+        return room.model_copy(update={"area": area})
+
+    rooms = tuple(moved(room) if room.id in ends else room for room in programme.rooms)
+    return programme.model_copy(update={"rooms": rooms})
+
+
 def _least(room: RoomSpec, rows: Rows) -> float:
     """The least floor [m2] that hard rows leave to a room: by its area, or as wide as it has to be both ways."""
     side = max(room.side or 0.0, rows.bound("side", room)[0], rows.bound("turning", room)[0], 0.0)
