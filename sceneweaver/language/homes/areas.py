@@ -21,6 +21,9 @@ CLEARLY = 1.1
 EXACT = 0.05
 """Share by which a room may be off an area that is said."""
 
+OUTER, WALLS, CORNER = 0.3, 0.93, 0.86
+"""Thickness of outer walls [m]; shares of the floor within them that inner walls and the corner of an L leave."""
+
 ALIKE = 0.06
 """Share by which rooms of one size may be off it."""
 
@@ -57,9 +60,18 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
         else:
             room.area = (least, usual, most)
         free.append(room)
-    if reading.area is None:
-        return []
-    return _fitted(reading, rooms, free)
+    if reading.area is not None:
+        return _fitted(sum(reading.area) / 2, rooms, free)
+    if reading.width is not None and reading.depth is not None:
+        _fitted(_within(reading), rooms, free)
+    return []
+
+
+def _within(reading: Reading) -> float:
+    """Floor [m2] of the rooms of a home whose sides are said: what walls and a missing corner leave."""
+    assert reading.width is not None and reading.depth is not None
+    inner = (reading.width - 2 * OUTER) * (reading.depth - 2 * OUTER)
+    return inner * WALLS * (CORNER if reading.l_shape else 1.0) * (reading.storeys or 1)
 
 
 def balanced(programme: Programme, told: Collection[str], area: float | None = None) -> Programme:
@@ -160,10 +172,8 @@ def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -
     return least, min(max(target, least), most), most
 
 
-def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
-    """Usual areas, all multiplied alike, so that the rooms indoors have the floor that is asked for."""
-    assert reading.area is not None
-    asked = (reading.area[0] + reading.area[1]) / 2
+def _fitted(asked: float, rooms: list[Room], free: list[Room]) -> list[str]:
+    """Usual areas, all multiplied alike, so that the rooms indoors have the floor [m2] that is asked for."""
     indoors = [room for room in rooms if "outdoor" not in room_type(room.type).roles]
     fixed = sum(room.area[1] for room in indoors if room not in free and room.area)
     open_ = [room for room in free if room in indoors]

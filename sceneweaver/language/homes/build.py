@@ -143,7 +143,24 @@ def joined(
                 kind = "door" if at_entrance else joint.kind
                 weight = 1.0 if hard else 2 * SOFT if at_entrance else SOFT
                 found[key] = Adjacency(a=a, b=b, kind=kind, hard=hard, weight=weight)
-    return list(found.values()), asked
+    return _with_ways(list(found.values()), rooms), asked
+
+
+def _with_ways(found: list[Adjacency], rooms: list[Room]) -> list[Adjacency]:
+    """Adjacencies with a door to a hall for each annex whose own doors lead into rooms that are no way: so that these
+    doors can be had, and the annex be entered besides."""
+    kinds = {room.id: room_type(room.type) for room in rooms}
+    halls = [i for i, kind in kinds.items() if "circulation" in kind.roles and "stairs" not in kind.roles]
+    hall = halls[0] if halls and not any(room.storey for room in rooms) else None
+    for name, kind in kinds.items():
+        own = [x for x in found if x.kind == "door" and name in (x.a, x.b)]
+        others = [kinds[x.b if x.a == name else x.a] for x in own]
+        if hall is None or "annex" not in kind.roles or not own or kind.transit != "none":
+            continue
+        if all(other.transit == "none" and "annex" not in other.roles for other in others):
+            found = [x.model_copy(update={"hard": True, "weight": 1.0}) if x in own else x for x in found]
+            found.append(Adjacency(a=name, b=hall, kind="door"))
+    return found
 
 
 def _may_join(a: str, b: str, rooms: list[Room]) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from sceneweaver.plans import room_type
+
 from .lexicon import data, room_kinds
 from .parts import Named, Reading
 from .residents import bedrooms_for, people_told
@@ -161,6 +163,9 @@ def _ways(reading: Reading, rooms: list[Room], barred: set[str]) -> list[str]:
         if not ways and not no_ways and len(indoors) > 3:
             _add(rooms, "entrance_hall", 1)
             said.append("an entrance hall: doors of many rooms need one")
+    elif not ways and not no_ways and len(indoors) > 1 and not any(room_type(r.type).transit == "all" for r in rooms):
+        _add(rooms, "hallway", 1)
+        said.append("a corridor: no room that is named leads to the others")
     elif not ways and not no_ways and len(indoors) > 4 and not any(room.type == "open_office" for room in rooms):
         _add(rooms, "hallway", 1)
         said.append("a corridor: doors of many rooms need one")
