@@ -355,7 +355,10 @@ class _Run:
                 self._say(step.line)
                 try:
                     fits = self.asked.envelope_of(step.programme, self.seed, step.own_envelope)
-                    chosen, programme = self._first_of([fits], step.programme, max(1, self.plans // FEWER)), step.programme
+                    chosen, programme = (
+                        self._first_of([fits], step.programme, max(1, self.plans // FEWER)),
+                        step.programme,
+                    )
                     break
                 except InputError:
                     continue

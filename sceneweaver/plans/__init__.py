@@ -26,7 +26,12 @@ if _TYPE_CHECKING:
     from .solve import solve_plans as solve_plans
     from .solve_solution import PlanSolution as PlanSolution
 
-_SOLVER = {"feasible": "feasibility", "totalled": "feasibility", "solve_plans": "solve", "PlanSolution": "solve_solution"}
+_SOLVER = {
+    "feasible": "feasibility",
+    "totalled": "feasibility",
+    "solve_plans": "solve",
+    "PlanSolution": "solve_solution",
+}
 """Names that bring Warp along, with their modules: imported when they are first used."""
 
 

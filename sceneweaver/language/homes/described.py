@@ -121,7 +121,23 @@ def read_behind(reading: Reading, found: Named) -> None:
             found.last = k
         elif seen or not (
             token.text
-            in ("of", "all", "the", "about", "around", "(", "approx", "roughly", "ca", "circa", "with", "each", "some", "is", "only")
+            in (
+                "of",
+                "all",
+                "the",
+                "about",
+                "around",
+                "(",
+                "approx",
+                "roughly",
+                "ca",
+                "circa",
+                "with",
+                "each",
+                "some",
+                "is",
+                "only",
+            )
             or token.has("soft")
         ):
             break

@@ -85,7 +85,11 @@ def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
     """How many people an "each" means: those who were counted last, of the kind that follows it."""
     tokens = reading.tokens
     for k in range(at - 1, max(-1, at - 30), -1):
-        if not tokens[k].has("person", "staff", "groups") or tokens[k].text.endswith(("'s", "s'")) or names_thing(tokens, k):
+        if (
+            not tokens[k].has("person", "staff", "groups")
+            or tokens[k].text.endswith(("'s", "s'"))
+            or names_thing(tokens, k)
+        ):
             continue
         if (
             who is not None

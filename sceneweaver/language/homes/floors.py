@@ -73,6 +73,9 @@ def _place(reading: Reading, sentence: range) -> None:
         behind, ahead = [n for n in names if k < n.at < until], [n for n in names if n.at < k]
         if behind and _leads(reading, sentence, names, k):
             leads.append((k, behind))
+        elif ahead and _of_people(reading, ahead[-1], k):
+            reading.sleep_storey = reading.sleep_storey or tokens[k].get("storey")
+            reading.did(k, "storeys")
         elif ahead:
             _put(reading, k, _joined(reading, ahead, max((at for at, _ in leads), default=-1)))
     for k, behind in leads:
@@ -103,7 +106,26 @@ def _leads(reading: Reading, sentence: range, names: list[Named], at: int) -> bo
         return True
     clause = max((k for k in range(sentence.start, at) if tokens[k].breaks), default=sentence.start - 1)
     alone = not any(clause < one.at < at for one in names)
-    return alone and after.text in ("with", "has", "have", "holds", "contains", "houses")  # "she gets the top with ..."
+    return alone and after.text in (
+        "with",
+        "in",
+        "has",
+        "have",
+        "holds",
+        "contains",
+        "houses",
+    )  # "she gets the top with ..."
+
+
+def _of_people(reading: Reading, last: Named, at: int) -> bool:
+    """ "... and the four of us on the upper floor": said of who lives there, and not of the room before."""
+    gap = reading.tokens[last.last + 1 : at]
+    parts = [k for k, token in enumerate(gap) if token.breaks or token.text == "and"]
+    return (
+        bool(parts)
+        and any(t.has("we", "me", "person") for t in gap[parts[-1] :])
+        and not any(t.has("room") for t in gap[parts[-1] :])
+    )
 
 
 def _over_room(reading: Reading, sentence: range, names: list[Named], at: int) -> bool:

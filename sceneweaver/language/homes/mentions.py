@@ -13,6 +13,7 @@ from sceneweaver.plans import room_types as plan_types
 from .described import is_look, read_before, read_behind
 from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
+from .shared_rooms import PLACES_TO_WORK, SPACES, for_each, in_its_own, is_open, one_more_for
 from .tokens import Token
 
 _PLACES = ("places", "seats", "beds", "couches")
@@ -41,12 +42,6 @@ _LISTED = (
 """Names of rooms that are also other words: rooms only in lists."""
 
 _BEHIND_LIST = ("and", "on", "of", "in", "for", "by", "/", "&", "or", "with", "at", "near")
-PLACES_TO_WORK = ("desk", "hot desk", "workplace", "workstation")
-"""Names of places to work: many of them are in one room."""
-
-_SPACES = ("room", "space", "area", "hall", "office")
-"""What an open room for many is called."""
-
 _ONLY_COUNTED = (
     "room",
     "double",
@@ -138,6 +133,10 @@ def _another(reading: Reading, at: int) -> Named | None:
     """ "Two small meeting rooms, a large one": one more of the kind."""
     tokens = reading.tokens
     last = reading.named[-1] if reading.named else None
+    if last is not None and one_more_for(reading, last, at):
+        name = "master_bedroom" if tokens[at + 2].has("we") else last.kind.name
+        reading.did(at, "rooms")
+        return Named(room_kinds()[name], at, at, at, tokens[at].span, 1, "article", noun=room_kinds()[name].noun)
     if (
         last is None
         or at < 2
@@ -179,6 +178,8 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     """The kind of room that a token names here; None where it names none."""
     tokens, use = reading.tokens, reading.use
     token = tokens[at]
+    if token.text in ("space", "area") and use.plan == "office" and use.name != "school":
+        return room_kinds()["open_office"] if is_open(tokens, at, token.text) else None
     if not token.has("room", "means", "known_room", "use"):
         return None
     after = tokens[at + 1] if at + 1 < len(tokens) else None
@@ -202,9 +203,9 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return None
     if at and (_is_compound_thing(tokens[at - 1], token) or _worked_in(tokens, at)):
         return None
-    if use.plan == "office" and use.name != "school" and _is_open(tokens, at, single):
+    if use.plan == "office" and use.name != "school" and is_open(tokens, at, single):
         return room_kinds()["open_office"]
-    if _for_each(reading, at):
+    if for_each(reading, at):
         return room_kinds()[meant or "bedroom"]
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
@@ -225,32 +226,6 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if token.has("room"):
         return room_kinds()[token.get("room")]
     return known_room(token.get("known_room"), single)
-
-
-def _is_open(tokens: Sequence[Token], at: int, single: str) -> bool:
-    """ "One open room", "eight people in one large space": where all who are named work together."""
-    if single not in _SPACES:
-        return False
-    start = at
-    while start and (tokens[start - 1].has("size", "soft", "own", "number") or tokens[start - 1].text in ("a", "in one")):
-        start -= 1
-    said = {word for t in tokens[start:at] for word in t.text.split()}
-    if said & {"open", "open-plan"}:
-        return True
-    if not said & {"one", "single", "same"}:
-        return False
-    inside = "in" in tokens[start].text.split() or start > 0 and tokens[start - 1].text in ("in", "in the", "together in")
-    before = tokens[max(0, start - 6) : start]
-    return inside and any(t.has("person", "staff") or plain(_singular(t)) in PLACES_TO_WORK for t in before)
-
-
-def _for_each(reading: Reading, at: int) -> bool:
-    """ "A room for each of them": a bedroom for everybody who has none yet."""
-    tokens = reading.tokens
-    if reading.use.plan not in ("flat", "house") or tokens[at].text not in ("room", "bedroom") or at + 2 >= len(tokens):
-        return False
-    one, two = tokens[at + 1], tokens[at + 2]
-    return one.text == "for each" and two.has("of_them") or one.text == "for" and two.text in ("each of them", "each of us")
 
 
 def _by_activity(reading: Reading, at: int) -> RoomKind | None:
@@ -279,7 +254,7 @@ def _by_activity(reading: Reading, at: int) -> RoomKind | None:
 def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
-    if single == "room" and _in_its_own(tokens, at):
+    if single == "room" and in_its_own(tokens, at):
         return False
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
     if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
@@ -301,14 +276,6 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     if single in ("double", "chair", *PLACES_TO_WORK, "shower"):
         return tokens[at].plural or (single == "double" and counted)
     return True
-
-
-def _in_its_own(tokens: Sequence[Token], at: int) -> bool:
-    """ "The safe in its own closed room": no room more than the one that is named so."""
-    for k in range(max(1, at - 4), at):
-        if tokens[k].text == "its" and tokens[k - 1].text == "in":
-            return True
-    return False
 
 
 def _unknown_room(tokens: Sequence[Token], at: int) -> bool:
@@ -360,10 +327,10 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
         found.count, found.told = 1, ""
-    if kind.name == "open_office" and said in _SPACES:  # where those who were named work
+    if kind.name == "open_office" and said in SPACES:  # where those who were named work
         found.count, found.told = 1, ""
         found.definite = any(one.kind.name == kind.name for one in reading.named)
-    if _for_each(reading, at):
+    if for_each(reading, at):
         found.count, found.told = None, "each"
     after = found.at + 1
     if found.last == found.at and not said.endswith("room") and after < len(tokens) and tokens[after].text == "room":

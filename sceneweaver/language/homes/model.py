@@ -10,7 +10,6 @@ from sceneweaver.language.model import Span, Unread
 from sceneweaver.plans import Envelope, Profile, Programme, Rule, envelope_for
 from sceneweaver.plans.programme import AdjacencyKind
 
-
 HALL = 1.08
 """What `sceneweaver.plans.envelope_for` multiplies the floor of a programme without a hall with."""
 
@@ -163,7 +162,9 @@ class HomeRequest:
         """
         profile = Profile.named(self.profile)
         rows = [
-            Rule(id=name, measure=measure, of=of, least=least, says=f"{what} are {least:g} m wide.", source="the request")
+            Rule(
+                id=name, measure=measure, of=of, least=least, says=f"{what} are {least:g} m wide.", source="the request"
+            )
             for name, measure, of, least, what in (
                 ("asked-doors", "door_width", ("entrance-door", "inner-door"), self.doors, "Doors"),
                 ("asked-ways", "passage", ("circulation", "-stairs"), self.ways, "Halls"),

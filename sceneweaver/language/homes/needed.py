@@ -115,7 +115,10 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     ]
     beds = [room for room in rooms if bedroomlike(room.kind)]
     told = any(
-        not (one.owner and _lives_apart(reading, one)) and one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred
+        not (one.owner and _lives_apart(reading, one))
+        and one.kind.name in ("bathroom", "accessible_bathroom", "wet_room")
+        and one.of is None
+        and not one.barred
         for one in reading.named
     )
     own = sum(room.kind.name == "ensuite" for room in rooms)
@@ -134,7 +137,8 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
 def _lives_apart(reading: Reading, one: Named) -> bool:
     """Whether who has a bathroom alone lives on a storey where the others do not sleep."""
     beds = [other for other in reading.named if other.of is None and bedroomlike(other.kind) and not other.barred]
-    return one.storey is not None and any(bed.storey not in (None, one.storey) and not bed.owner for bed in beds)
+    elsewhere = any(bed.storey not in (None, one.storey) and not bed.owner for bed in beds)
+    return one.storey is not None and (elsewhere or reading.sleep_storey not in (None, one.storey))
 
 
 def _accessible(reading: Reading, rooms: list[Room]) -> list[str]:

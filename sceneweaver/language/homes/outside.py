@@ -18,8 +18,7 @@ _ONLY = re.compile(rf"\bonly\b[^.;,]{{0,30}}\bfrom\s+(?:the\s+)?{_OUT}\b|\bfrom\
 
 
 def read_outside(reading: Reading) -> None:
-    """ "A workshop with its own door outside", "a store that is only reached from outside": what is said of a room up to
-    the next one."""
+    """ "A workshop with its own door outside", "a store only reached from outside": said of a room up to the next."""
     text = reading.text.lower()
     names = sorted((one for one in reading.named if one.of is None and not one.barred), key=lambda one: one.at)
     for number, one in enumerate(names):
@@ -41,4 +40,6 @@ def read_outside(reading: Reading) -> None:
             if low <= token.span.start < high or token.span.start < high <= token.span.end:
                 token.done = token.done or "rooms"
         if one.outside == "only":
-            reading.notes.append(f"{one.said or one.kind.noun}: besides the door outside it has one to the rooms within")
+            reading.notes.append(
+                f"{one.said or one.kind.noun}: besides the door outside it has one to the rooms within"
+            )

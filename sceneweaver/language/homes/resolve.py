@@ -129,7 +129,9 @@ def _means(one: Named, other: Named) -> bool:
 
 def _of_owner(one: Named, before: list[Named]) -> Named | None:
     """The room of the same person that was named before: "mum's bedroom" of a mother with her own bedroom."""
-    alike = [o for o in before if o.of is None and o.owner == one.owner and bedroomlike(o.kind) == bedroomlike(one.kind)]
+    alike = [
+        o for o in before if o.of is None and o.owner == one.owner and bedroomlike(o.kind) == bedroomlike(one.kind)
+    ]
     return next((o for o in reversed(alike) if bedroomlike(o.kind) or o.kind.name == one.kind.name), None)
 
 

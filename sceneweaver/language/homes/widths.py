@@ -75,4 +75,6 @@ def _is_doors(tokens: tuple[Token, ...], at: int) -> bool:
     words = tokens[at].text.split()
     if {"doors", "doorways"} & {*words}:
         return True
-    return bool({"door", "doorway"} & {*words}) and any(t.text in _EACH for t in tokens[max(0, at - 2) : at])
+    one = bool({"door", "doorway"} & {*words})
+    width = at + 1 < len(tokens) and tokens[at + 1].text in ("width", "widths")
+    return one and (width or any(t.text in _EACH for t in tokens[max(0, at - 2) : at]))
