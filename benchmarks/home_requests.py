@@ -12,7 +12,7 @@ from sceneweaver.language.homes import HomeRequest, room_requests
 from sceneweaver.plans import RoomSpec, room_type
 
 FOLDER = Path(__file__).parent / "data" / "home_requests"
-SETS = ("people", "tuned", "held_out")
+SETS = ("people", "tuned", "held_out", "relations", "relations_held_out")
 
 AREA = 0.06
 """Share by which an area may be off."""
@@ -87,7 +87,7 @@ class Asked:
 
 
 def home_requests(name: str) -> list[Asked]:
-    """The requests of a set: people, tuned, held_out."""
+    """The requests of a set, one of `SETS`."""
     return [Asked(**row) for row in load_yaml(FOLDER / f"{name}.yaml")]
 
 
@@ -219,6 +219,8 @@ _VERDICTS: dict[str, Any] = {
     "ground": _storey(True),
     "upper": _storey(False),
     "accessible": lambda v, r: _one("accessible", r.profile == "accessible"),
+    "doors": lambda v, r: _one(f"doors of {v} m (is {r.doors})", r.doors == v),
+    "halls": lambda v, r: _one(f"halls of {v} m (is {r.ways})", r.ways == v),
     "width": lambda v, r: _one(f"{v} m wide (is {r.width})", r.width == v),
     "depth": lambda v, r: _one(f"{v} m deep (is {r.depth})", r.depth == v),
     "shape": lambda v, r: _one(f"shape {v}", r.l_shape),

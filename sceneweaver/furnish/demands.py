@@ -7,7 +7,7 @@ a room of it still cannot be furnished, the programme asks for more of that room
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from sceneweaver.assets.taxonomy import category_named
@@ -29,6 +29,9 @@ LEAF = 0.5
 
 NO_TABLE = "a kitchen without a dining table"
 """What a kitchen is to hold where another room is for meals."""
+
+CHOICE = 1.2
+"""Most by least floor of a room whose size nobody asked for."""
 
 MORE, WIDER = 1.18, 0.15
 """Factor on the floor of a room that could not be furnished, and how much [m] wider it has to be."""
@@ -89,10 +92,13 @@ def needs_of(kind: RoomType, brief: SceneGraph | None = None) -> Needs:
     )
 
 
-def furnishable(programme: Programme, requests: Mapping[str, str] | None = None) -> tuple[Programme, tuple[str, ...]]:
+def furnishable(
+    programme: Programme, requests: Mapping[str, str] | None = None, asked: Collection[str] | None = None
+) -> tuple[Programme, tuple[str, ...]]:
     """The programme with least floors and sides that its rooms' furniture fits in, and what was raised.
 
-    What a room is asked to have at most stays as it is.
+    What a room is asked to have at most stays as it is; ``asked`` are the ids of rooms whose area was asked for, None:
+    all. The most of another room gives way, so that a plan is left some choice.
     """
     rooms, said = list[RoomSpec](), list[str]()
     elsewhere = any("eating" in spec.kind.roles for spec in programme.rooms)
@@ -105,6 +111,8 @@ def furnishable(programme: Programme, requests: Mapping[str, str] | None = None)
         text = (requests or {}).get(spec.id, usual)
         needs = needs_of(kind, read_request(text) if text else None)
         least, target, most = spec.area
+        if asked is not None and spec.id not in asked and needs.area > least:
+            most = max(most, round(CHOICE * needs.area, 2))
         area = min(max(least, needs.area), most)
         had = spec.side if spec.side is not None else spec.kind.side
         side = min(max(had, needs.side), most**0.5)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -17,7 +17,7 @@ from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
 from sceneweaver.language.homes import HomeRequest, demands, is_home, read_home
 from sceneweaver.language.homes import room_requests as told_requests
-from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, envelope_for
+from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan, envelope_for, feasible, totalled
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.options import PictureSet
 from sceneweaver.scene import InputError
@@ -26,9 +26,10 @@ from sceneweaver.verify.home import HomeReport, check_home
 from .deliver import deliver
 from .demands import furnishable, raised
 from .folder import HomeFolder
+from .giving_way import areas_asked, missed, softer
 from .home import FurnishedHome, furnish_home
 from .jobs import DRAWS, FurnishedRoom
-from .planning import plan_home
+from .planning import ChosenPlan, plan_home
 from .result import HomeResult
 
 TIME = 600.0
@@ -45,6 +46,9 @@ PLANS, FILES = 0.25, 0.3
 
 ENVELOPES = 3
 """Envelopes that are tried where the first one that was chosen takes no valid plan."""
+
+FEWER = 4
+"""By how much fewer plans are searched for at once of each programme that asks for less."""
 
 
 def design_home(
@@ -163,7 +167,7 @@ class _Asked:
 
     prompt: str
     programme: Programme
-    profile: str
+    profile: Profile
     envelope: Envelope | None
     request: HomeRequest | None
 
@@ -172,14 +176,24 @@ class _Asked:
         request = read_home(prompt) if prompt.strip() and programme is None else None
         made = programme or (request.programme if request is not None else None)
         assert made is not None
-        rules = profile or (request.profile if request is not None else "base")
+        rules = Profile.of(profile or "base") if profile or request is None else request.rules
         return cls(prompt, made, rules, envelope, request)
 
-    def envelope_of(self, programme: Programme, seed: int) -> Envelope:
-        """What a plan of the programme has to fit into."""
+    @property
+    def areas(self) -> frozenset[str]:
+        """Ids of the rooms whose area was asked for."""
+        return areas_asked(self.request, self.programme)
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Ids of the rooms that are to have a door outside."""
+        return tuple(room.id for room in self.request.rooms if room.outside) if self.request is not None else ()
+
+    def envelope_of(self, programme: Programme, seed: int, own: bool = False) -> Envelope:
+        """What a plan of the programme has to fit into; ``own``: whatever sides were asked for."""
         if self.envelope is not None:
             return self.envelope
-        if self.request is not None:
+        if self.request is not None and not own:
             return replace(self.request, programme=programme).envelope(seed)
         return envelope_for(programme, seed)
 
@@ -226,7 +240,7 @@ class _Run:
 
     def go(self, started: float) -> HomeResult:
         """Plan, furnish, and go back to the plan where that does not hold what it has to."""
-        programme, raises = furnishable(self.asked.programme, self._texts())
+        programme, raises = self._possible()
         first, home = 0, None
         if self.folder is not None:
             had = self.folder.begin(self._key)
@@ -242,13 +256,13 @@ class _Run:
         for round_ in range(first, AGAIN + 1):
             if home is None:
                 try:
-                    home = self._planned(programme, round_)
+                    home, programme = self._planned(programme, round_)
                 except InputError:
                     if best is None:
                         raise
                     self._say("no plan gives these rooms more; the one before stays")
                     break
-            plan_report = check_plan(home, self.asked.programme, self.asked.profile)
+            plan_report = check_plan(home, programme, self.asked.profile)
             done = self._furnished(home)
             worth = _worth(done)
             if best is None or worth > best[0]:
@@ -276,19 +290,29 @@ class _Run:
         unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
         failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
         failed += self.asked.unmet(done.home)
+        wanted, default = missed(self.asked.programme, done.home, self.asked.profile, self.asked.areas)
         return HomeResult(
             done.home,
             report,
             plan_report,
             programme,
             done.rooms,
-            tuple(dict.fromkeys((*unmet, *failed))),
-            self.asked.notes,
+            tuple(dict.fromkeys((*unmet, *failed, *wanted))),
+            (*self.asked.notes, *default),
             tuple(self.log),
             done.style,
             _total(self.spent, started),
             (f"rooms: {done.cut_off}",) if done.cut_off else (),
         )
+
+    def _possible(self) -> tuple[Programme, tuple[str, ...]]:
+        """The programme as rules and furniture allow it, and what gave way."""
+        asked = self.asked
+        possible, raises = feasible(asked.programme, asked.profile, asked.areas)
+        programme, more = furnishable(possible, self._texts(), asked.areas)
+        if asked.request is not None and asked.request.area is not None:
+            programme = totalled(programme, asked.request.area, asked.areas, asked.profile)
+        return programme, (*raises, *more)
 
     @property
     def _key(self) -> dict[str, Any]:
@@ -298,7 +322,7 @@ class _Run:
             "prompt": asked.prompt,
             "programme": asked.programme.dumps(),
             "envelope": envelope,
-            "profile": asked.profile,
+            "profile": asked.profile.name,
             "seed": self.seed,
             "plans": self.plans,
             "rooms": dict(self.rooms),
@@ -317,28 +341,29 @@ class _Run:
     def _lap(self, name: str, began: float) -> None:
         self.spent[name] = round(self.spent.get(name, 0.0) + time.monotonic() - began, 3)
 
-    def _planned(self, programme: Programme, round_: int) -> Home:
-        """The plan of a programme; of several envelopes that are ours to choose, the first that takes one."""
-        began, wrong = time.monotonic(), None
-        for k in range(1 if self.asked.envelope is not None else ENVELOPES):
-            left = self.limit.left
-            try:
-                chosen = plan_home(
-                    programme,
-                    self.asked.envelope_of(programme, self.seed + k),
-                    seed=self.seed,
-                    profile=self.asked.profile,
-                    candidates=self.plans,
-                    device=self.device,
-                    time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
-                    prompt=self.asked.prompt,
-                )
-                break
-            except InputError as error:
-                wrong = wrong or error
-        else:
-            assert wrong is not None
-            raise wrong
+    def _planned(self, programme: Programme, round_: int) -> tuple[Home, Programme]:
+        """The plan of a programme, and that programme, or one that asks for less where it has no plan."""
+        began = time.monotonic()
+        tries = 1 if self.asked.envelope is not None else ENVELOPES
+        try:
+            chosen = self._first_of([self.asked.envelope_of(programme, self.seed + k) for k in range(tries)], programme)
+        except InputError as error:
+            chosen, wrong = None, error
+            for step in softer(programme, self.asked.request) if not round_ else ():
+                if self.limit.passed or self.limit.stop.reason:
+                    break
+                self._say(step.line)
+                try:
+                    fits = self.asked.envelope_of(step.programme, self.seed, step.own_envelope)
+                    chosen, programme = (
+                        self._first_of([fits], step.programme, max(1, self.plans // FEWER)),
+                        step.programme,
+                    )
+                    break
+                except InputError:
+                    continue
+            if chosen is None:
+                raise wrong from None
         self._lap("plan", began)
         short = "".join(f"; {name} lacks {more:.2f} m of wall" for name, more in chosen.lacking.items())
         self._say(
@@ -346,7 +371,33 @@ class _Run:
             f"{len(chosen.report.soft)} soft rules unmet{short}"
         )
         self._keep_plan(chosen.home, programme, round_)
-        return chosen.home
+        return chosen.home, programme
+
+    def _first_of(self, envelopes: Sequence[Envelope], programme: Programme, plans: int | None = None) -> ChosenPlan:
+        """The plan in the first of some envelopes that takes one.
+
+        Raises:
+            InputError: none does; what is wrong in the first of them.
+        """
+        wrong: InputError | None = None
+        for envelope in envelopes:
+            left = self.limit.left
+            try:
+                return plan_home(
+                    programme,
+                    envelope,
+                    seed=self.seed,
+                    profile=self.asked.profile,
+                    candidates=plans or self.plans,
+                    device=self.device,
+                    time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
+                    prompt=self.asked.prompt,
+                    outside=self.asked.outside,
+                )
+            except InputError as error:
+                wrong = wrong or error
+        assert wrong is not None
+        raise wrong
 
     def _keep_plan(self, home: Home, programme: Programme, round_: int) -> None:
         """Write what a run that is cut off goes on from."""

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from sceneweaver.home import Home
-from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan
+from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan
 from sceneweaver.plans.solve import solve_plans
 from sceneweaver.scene import InputError
 
 from .demands import short_walls
+from .outside import has_outside_door, with_outside_doors
 from .windows import with_sills
 
 COMPARED = 24
@@ -48,15 +49,17 @@ def plan_home(
     envelope: Envelope,
     *,
     seed: int = 0,
-    profile: str = "base",
+    profile: Profile | str = "base",
     candidates: int = 4096,
     device: str = "auto",
     time_limit: float | None = None,
     prompt: str = "",
+    outside: Collection[str] = (),
 ) -> ChosenPlan:
     """Solve a programme, and choose of the valid plans the one that is best to live in and to furnish.
 
-    Soft rules count as the profile weighs them; a wall that is too short for the furniture of its room counts besides.
+    Soft rules count as the profile weighs them; a wall that is too short for the furniture of its room counts besides,
+    and so does a door outside that is missing in one of the rooms ``outside``.
 
     Raises:
         InputError: no plan is valid; it says which rules stand against it.
@@ -73,8 +76,13 @@ def plan_home(
         if not report.valid:
             broken = broken or "; ".join(v.detail for v in report.violations[:3])
             continue
+        if outside:
+            home = with_outside_doors(home, outside, programme, profile, envelope)
+            report = check_plan(home, programme, profile)
+        without = sum(not has_outside_door(home, name) for name in outside)
         lacking = short_walls(home)
-        found.append((round(report.cost + SHORT * sum(lacking.values()), 6), number, home, report, lacking))
+        cost = report.cost + SHORT * (sum(lacking.values()) + without)
+        found.append((round(cost, 6), number, home, report, lacking))
     if not found:
         raise InputError(f"programme: no plan keeps all rules: {broken or solution.explanation or 'none was found'}")
     _, _, home, report, lacking = min(found, key=lambda row: row[:2])

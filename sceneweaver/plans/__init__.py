@@ -21,10 +21,17 @@ from .room_types import room_type as room_type
 from .room_types import room_types as room_types
 
 if _TYPE_CHECKING:
+    from .feasibility import feasible as feasible
+    from .feasibility import totalled as totalled
     from .solve import solve_plans as solve_plans
     from .solve_solution import PlanSolution as PlanSolution
 
-_SOLVER = {"solve_plans": "solve", "PlanSolution": "solve_solution"}
+_SOLVER = {
+    "feasible": "feasibility",
+    "totalled": "feasibility",
+    "solve_plans": "solve",
+    "PlanSolution": "solve_solution",
+}
 """Names that bring Warp along, with their modules: imported when they are first used."""
 
 
@@ -48,9 +55,11 @@ __all__ = [
     "Rule",
     "check_plan",
     "envelope_for",
+    "feasible",
     "profile_names",
     "programme_names",
     "room_type",
     "room_types",
     "solve_plans",
+    "totalled",
 ]

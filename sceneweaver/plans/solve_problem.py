@@ -219,7 +219,7 @@ def _passage(rows: Rows, room: RoomSpec) -> int:
 
 def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
     areas, sides, aspects, flags, storeys, ranks, doors = [], [], [], [], [], [], []
-    accessible = _accessible_toilet(programme, rows)
+    accessible = accessible_toilet(programme, rows)
     for room in programme.rooms:
         roles = room.kind.roles
         least, most = rows.bound("area", room)
@@ -249,7 +249,7 @@ def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
     }
 
 
-def _accessible_toilet(programme: Programme, rows: Rows) -> RoomSpec | None:
+def accessible_toilet(programme: Programme, rows: Rows) -> RoomSpec | None:
     """The toilet to be accessible, where the profile asks for one: the largest on the entrance's storey."""
     entrance = programme.room(programme.entrance)
     toilets = [r for r in programme.rooms if "toilet" in r.kind.roles and r.storey == entrance.storey]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from sceneweaver.language.vocabulary import NUMBERS
 from sceneweaver.plans import Programme, RoomSpec, room_type
@@ -20,6 +20,12 @@ CLEARLY = 1.1
 
 EXACT = 0.05
 """Share by which a room may be off an area that is said."""
+
+OUTER, WALLS, CORNER = 0.3, 0.93, 0.86
+"""Thickness of outer walls [m]; shares of the floor within them that inner walls and the corner of an L leave."""
+
+ALIKE = 0.06
+"""Share by which rooms of one size may be off it."""
 
 FITS = (0.65, 2.0)
 """Factors between which usual areas are fitted to the area of the home."""
@@ -54,9 +60,18 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
         else:
             room.area = (least, usual, most)
         free.append(room)
-    if reading.area is None:
-        return []
-    return _fitted(reading, rooms, free)
+    if reading.area is not None:
+        return _fitted(sum(reading.area) / 2, rooms, free)
+    if reading.width is not None and reading.depth is not None:
+        _fitted(_within(reading), rooms, free)
+    return []
+
+
+def _within(reading: Reading) -> float:
+    """Floor [m2] of the rooms of a home whose sides are said: what walls and a missing corner leave."""
+    assert reading.width is not None and reading.depth is not None
+    inner = (reading.width - 2 * OUTER) * (reading.depth - 2 * OUTER)
+    return inner * WALLS * (CORNER if reading.l_shape else 1.0) * (reading.storeys or 1)
 
 
 def balanced(programme: Programme, told: Collection[str], area: float | None = None) -> Programme:
@@ -85,6 +100,18 @@ def balanced(programme: Programme, told: Collection[str], area: float | None = N
             update["area"] = _stretched(room, factor)
         rooms.append(room.model_copy(update=update))
     return programme.model_copy(update={"rooms": tuple(rooms)})
+
+
+def alike(programme: Programme, groups: Iterable[Collection[str]]) -> Programme:
+    """The programme in which rooms of a group are of one size: none is larger than another by more than 2 `ALIKE`."""
+    rooms = {room.id: room for room in programme.rooms}
+    for group in groups:
+        there = [rooms[name] for name in group if name in rooms]
+        target = round(sum(room.area[1] for room in there) / max(1, len(there)), 1)
+        area = (round(target * (1 - ALIKE), 2), target, round(target * (1 + ALIKE), 2))
+        if len(there) > 1:
+            rooms |= {room.id: room.model_copy(update={"area": area}) for room in there}
+    return programme.model_copy(update={"rooms": tuple(rooms.values())})
 
 
 def _stretched(room: RoomSpec, factor: float) -> tuple[float, float, float]:
@@ -145,10 +172,8 @@ def _as_said(room: Room, size: float | None, area: tuple[float, float, float]) -
     return least, min(max(target, least), most), most
 
 
-def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
-    """Usual areas, all multiplied alike, so that the rooms indoors have the floor that is asked for."""
-    assert reading.area is not None
-    asked = (reading.area[0] + reading.area[1]) / 2
+def _fitted(asked: float, rooms: list[Room], free: list[Room]) -> list[str]:
+    """Usual areas, all multiplied alike, so that the rooms indoors have the floor [m2] that is asked for."""
     indoors = [room for room in rooms if "outdoor" not in room_type(room.type).roles]
     fixed = sum(room.area[1] for room in indoors if room not in free and room.area)
     open_ = [room for room in free if room in indoors]

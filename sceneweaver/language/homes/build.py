@@ -20,6 +20,7 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     """How many storeys there are, and on which each room is told to be."""
     level = {"ground": 0, "first": 1, "second": 2, "third": 3}
     told = [room.storey for room in rooms if room.storey]
+    told += [storey for storey in (reading.sleep_storey, reading.live_storey) if storey]
     least = 1 + max([level[s] for s in told if s in level], default=0)
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
@@ -44,6 +45,11 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
     said: list[str] = []
     if count == 1:
         return said
+    level = {"ground": 0, "upper": 1, "first": 1, "second": min(2, count - 1), "third": min(3, count - 1)}
+    for storey, belongs in ((reading.sleep_storey, _sleeps), (reading.live_storey, _lives)):
+        if storey is not None:
+            high = level.get(storey, count - 1)
+            placed |= {room.id: high for room in rooms if placed.get(room.id) is None and belongs(room)}
     if reading.accessible:
         beds = [room for room in rooms if bedroomlike(room.kind)]
         first = next((r for r in beds if r.kind.name == "senior_bedroom"), beds[0] if beds else None)
@@ -65,6 +71,15 @@ def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[st
     _bathrooms(reading, rooms, count, placed)
     said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
     return said
+
+
+def _sleeps(room: Room) -> bool:
+    return bedroomlike(room.kind)
+
+
+def _lives(room: Room) -> bool:
+    """Whether a room is one that a flat has: to sleep, to live, to cook, to wash in."""
+    return bool(room_type(room.type).roles & {"sleeping", "living", "cooking", "eating", "sanitary"})
 
 
 def _bathrooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> None:
@@ -128,12 +143,31 @@ def joined(
                 kind = "door" if at_entrance else joint.kind
                 weight = 1.0 if hard else 2 * SOFT if at_entrance else SOFT
                 found[key] = Adjacency(a=a, b=b, kind=kind, hard=hard, weight=weight)
-    return list(found.values()), asked
+    return _with_ways(list(found.values()), rooms), asked
+
+
+def _with_ways(found: list[Adjacency], rooms: list[Room]) -> list[Adjacency]:
+    """Adjacencies with a door to a hall for each annex whose own doors lead into rooms that are no way: so that these
+    doors can be had, and the annex be entered besides."""
+    kinds = {room.id: room_type(room.type) for room in rooms}
+    halls = [i for i, kind in kinds.items() if "circulation" in kind.roles and "stairs" not in kind.roles]
+    hall = halls[0] if halls and not any(room.storey for room in rooms) else None
+    for name, kind in kinds.items():
+        own = [x for x in found if x.kind == "door" and name in (x.a, x.b)]
+        others = [kinds[x.b if x.a == name else x.a] for x in own]
+        if hall is None or "annex" not in kind.roles or not own or kind.transit != "none":
+            continue
+        if all(other.transit == "none" and "annex" not in other.roles for other in others):
+            found = [x.model_copy(update={"hard": True, "weight": 1.0}) if x in own else x for x in found]
+            found.append(Adjacency(a=name, b=hall, kind="door"))
+    return found
 
 
 def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
-    """Whether a door between two rooms may be the way to one of them; else it is one door more than they need."""
-    return any(room_type(room.type).transit != "none" for room in rooms if room.id in (a, b))
+    """Whether a door between two rooms may be the way to one of them, or one door more than they need; a room that is
+    entered by the door that it asks for has no other."""
+    kinds = [room_type(room.type) for room in rooms if room.id in (a, b)]
+    return any(kind.transit != "none" for kind in kinds) or not any("annex" in kind.roles for kind in kinds)
 
 
 def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:

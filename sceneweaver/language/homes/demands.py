@@ -51,6 +51,7 @@ def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
             for joint in request.joints
             if joint.b or joint.place in ("entrance", "street")
         ),
+        *_outside(request, measured),
         *_storeys(request, measured),
         *_profile(request, measured),
         *_envelope(request, measured),
@@ -191,6 +192,14 @@ def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome
     return HomeDemand("joint", f"{joint.kind}: {words}", _status(all(good), any(good)), detail)
 
 
+def _outside(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
+    for room in request.rooms:
+        there = _place(room.id, request, measured)
+        if room.outside and there is not None:
+            has = any(door.room == there.id and door.to is None for door in measured.home.doors)
+            yield HomeDemand("outside", f"{room.id}: a door outside", _status(has), "a door" if has else "none")
+
+
 def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     have = len({room.storey for room in measured.home.rooms})
     if request.storeys is not None:
@@ -210,24 +219,30 @@ def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDeman
 
 
 def _profile(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
-    if request.profile != "accessible":
-        return
-    widths = measured.door_widths()
-    wide = sum(width >= DOOR - 1e-6 for width in widths)
-    yield HomeDemand(
-        "profile",
-        f"doors of {DOOR:g} m",
-        _status(wide == len(widths), 2 * wide > len(widths)),
-        f"{wide} of {len(widths)}, least {min(widths, default=0):.2f} m",
+    accessible = request.profile == "accessible"
+    doors, corridors = (
+        max(asked or 0.0, usual if accessible else 0.0)
+        for asked, usual in ((request.doors, DOOR), (request.ways, CORRIDOR))
     )
-    ways = [measured.narrowest(room) for room in measured.of_role("circulation") if room.type != "stairs"]
-    if ways:
+    if doors:
+        widths = measured.door_widths()
+        wide = sum(width >= doors - 1e-6 for width in widths)
         yield HomeDemand(
             "profile",
-            f"ways of {CORRIDOR:g} m",
-            _status(min(ways) >= CORRIDOR - 0.02, max(ways) >= CORRIDOR),
+            f"doors of {doors:g} m",
+            _status(wide == len(widths), 2 * wide > len(widths)),
+            f"{wide} of {len(widths)}, least {min(widths, default=0):.2f} m",
+        )
+    ways = [measured.narrowest(room) for room in measured.of_role("circulation") if room.type != "stairs"]
+    if ways and corridors:
+        yield HomeDemand(
+            "profile",
+            f"ways of {corridors:g} m",
+            _status(min(ways) >= corridors - 0.02, max(ways) >= corridors),
             f"least {min(ways):.2f} m",
         )
+    if not accessible:
+        return
     baths = measured.of_role("sanitary")
     turning = [room.id for room in baths if measured.turns(room)]
     yield HomeDemand(

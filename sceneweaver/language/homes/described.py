@@ -106,6 +106,8 @@ def read_behind(reading: Reading, found: Named) -> None:
             elif most:
                 low = round(low * 0.75, 1)
             found.area = (low, high)
+        elif token.has("equal"):
+            found.equal, found.last = True, k
         elif (
             token.text == "("
             and k + 2 < len(tokens)
@@ -119,7 +121,23 @@ def read_behind(reading: Reading, found: Named) -> None:
             found.last = k
         elif seen or not (
             token.text
-            in ("of", "about", "around", "(", "approx", "roughly", "ca", "circa", "with", "each", "some", "is", "only")
+            in (
+                "of",
+                "all",
+                "the",
+                "about",
+                "around",
+                "(",
+                "approx",
+                "roughly",
+                "ca",
+                "circa",
+                "with",
+                "each",
+                "some",
+                "is",
+                "only",
+            )
             or token.has("soft")
         ):
             break

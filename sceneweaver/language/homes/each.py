@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .households import count_before, in_singular, number_done
+from .households import count_before, in_singular, names_thing, number_done
 from .parts import Named, Reading
 from .residents import people_told
 from .tokens import Token
@@ -85,7 +85,11 @@ def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
     """How many people an "each" means: those who were counted last, of the kind that follows it."""
     tokens = reading.tokens
     for k in range(at - 1, max(-1, at - 30), -1):
-        if not tokens[k].has("person", "staff", "groups") or tokens[k].text.endswith(("'s", "s'")):
+        if (
+            not tokens[k].has("person", "staff", "groups")
+            or tokens[k].text.endswith(("'s", "s'"))
+            or names_thing(tokens, k)
+        ):
             continue
         if (
             who is not None

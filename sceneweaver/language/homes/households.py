@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from .lexicon import plain
+from .mentions import is_thing
 from .parts import Named, Person, Reading
 from .tokens import Token
 
 _OWNERS = ("my", "our", "his", "her", "their", "the")
 _ELDERS = ("father", "mother", "mum", "mom", "dad")
 _STAYS = ("stay", "visit", "visits", "come", "comes", "visiting", "over")
+_COLLECTIVE = ("kids", "children")
 _ORDER = ("couples", "parents", "partners", "twins", "babies", "children", "seniors", "adults", "families")
 
 
@@ -46,7 +48,7 @@ def _sentence(reading: Reading, sentence: range) -> None:
         if token.text in ("each", "everyone", "everybody") and _gets_a_room(reading, at, sentence):
             reading.own_rooms = True
             reading.did(at, "people")
-        if not token.has("person", "staff", "me", "we", "groups", "visitors"):
+        if not token.has("person", "staff", "me", "we", "groups", "visitors") or names_thing(tokens, at):
             continue
         room = _of_room(reading, names, at)
         if room is not None:
@@ -155,8 +157,8 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if token.text.endswith(("'s", "s'")) and not of_use or at and tokens[at - 1].text in ("each", "every"):
         return
     count = count_before(tokens, at)
-    if token.has("visitors") and _visits(reading, at, sentence):
-        reading.visitors = True
+    if token.has("visitors") and _visits(reading, at, sentence) or _only_visits(tokens, at):
+        reading.visitors = reading.visitors or token.has("visitors")
         reading.did(at, "people")
         number_done(reading, at)
         return
@@ -192,6 +194,8 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
         return
     if role == "twins" and at + 1 < len(tokens) and tokens[at + 1].get("person") in ("children", "babies"):
         reading.did(at + 1, "people")
+    if role == "babies" and at + 1 < len(tokens) and tokens[at + 1].get("person") == "children":
+        reading.did(at + 1, "people")  # "a baby girl" is one
     if role == "parents":
         number = 1 if token.plural or token.text.endswith("s") else None
         role, count = ("couples" if number else "adults"), 1
@@ -201,6 +205,8 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
         count = 2 if token.plural and role not in ("twins",) else 1
     if role == "twins":
         count = 1
+    if role in ("children", "twins") and _in_one_room(tokens, at, sentence):
+        reading.together = True
     share = {t.text for t in tokens[at + 1 : min(at + 5, sentence.stop)]} & {"share", "together"}
     if role in ("children", "twins") and share and not reading.named_between(at, min(at + 6, sentence.stop)):
         reading.share = True
@@ -221,11 +227,24 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
             reading.did(at, "people")
             return
     named_again = any(t.text in ("the",) for t in before) and any(p.role == role for p in reading.people)
-    again = _said_again(reading, role, token, before)
+    again = _said_again(reading, role, at)
     if not (named_again or again):
         reading.people.append(Person(role, count, token.span))
     reading.did(at, "people")
     number_done(reading, at)
+
+
+def _in_one_room(tokens: tuple[Token, ...], at: int, sentence: range) -> bool:
+    """Whether children are told to have one room for all of them."""
+    said = " ".join(t.text for t in tokens[at + 1 : min(at + 7, sentence.stop)])
+    shares = said.split()[:1] in (["share"], ["sharing"], ["together"]) or " together" in said or "share" in said
+    return shares and any(words in said for words in ("one room", "a room", "one bedroom", "a bedroom", "same room"))
+
+
+def names_thing(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether people only say what kind of thing follows: "guest chairs", "baby bath"."""
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    return after is not None and not tokens[at].plural and not tokens[at].has("me", "we") and is_thing(after)
 
 
 def before_article(tokens: tuple[Token, ...], at: int) -> bool:
@@ -233,12 +252,29 @@ def before_article(tokens: tuple[Token, ...], at: int) -> bool:
     return bool(at) and (tokens[at - 1].number is not None or tokens[at - 1].text in _OWNERS)
 
 
-def _said_again(reading: Reading, role: str, token: Token, before: list[Token]) -> bool:
-    """Whether the same people were named before: "the boys" of three boys."""
-    if not any(t.text in ("the", "those", "both") for t in before):
-        return False
+def _said_again(reading: Reading, role: str, at: int) -> bool:
+    """Whether the same people were named before: "the boys" of three boys, "my son" after two kids."""
+    tokens = reading.tokens
     kin = {"children": ("children", "twins", "babies"), "babies": ("babies", "children")}.get(role, (role,))
-    return any(p.role in kin for p in reading.people)
+    there = [p for p in reading.people if p.role in kin]
+    if not there:
+        return False
+    if any(t.text in ("the", "those", "both") for t in tokens[max(0, at - 2) : at]):
+        return True
+    if role not in ("children", "babies"):
+        return False
+    if tokens[at].plural:
+        return at > 0 and tokens[at - 1].breaks  # "..., boys together"
+    start = tokens[at].span.start
+    many = [p for p in there if p.count > 1 and reading.text[p.span.start : p.span.end].lower() in _COLLECTIVE]
+    own = at > 0 and tokens[at - 1].text in _OWNERS
+    return own and any(t.breaks for p in many for t in tokens if p.span.end <= t.span.start < start)
+
+
+def _only_visits(tokens: tuple[Token, ...], at: int) -> bool:
+    """ "My brother who visits", "a friend that often visits"."""
+    said = [t.text for t in tokens[at + 1 : at + 5]]
+    return said[:1] in (["who"], ["that"]) and bool({"visit", "visits", "visiting"} & {*said[1:]})
 
 
 def _we_are(reading: Reading, at: int) -> bool:

@@ -96,6 +96,8 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         _put(reading, left, end, kind, at)
         if kind == "apart" and (more := _and_more(reading, names, end)) is not None:
             _put(reading, left, more, kind, at)
+        elif kind == "apart" and (place := _and_place(reading, end, sentence)):
+            reading.joints.append(Joint(left, place, kind, token.span))
     elif isinstance(end, str) and end:
         for one in _subjects(reading, names, left, at):
             reading.joints.append(Joint(one, end, kind, token.span))
@@ -118,6 +120,8 @@ def _together(reading: Reading, names: dict[int, Named], at: int) -> None:
     """ "Open-plan kitchen and living room", or "kitchen, dining and living room in one": open to each other."""
     tokens = reading.tokens
     after = _after(names, at)
+    if tokens[at].text == "in one" and after is not None and after.first == at + 1:
+        return  # "in one open room"
     chain: list[Named] = []
     if after is not None and after.first - at <= 2 and not any(t.breaks for t in tokens[at + 1 : after.first]):
         chain = [after, *_list_from(names, after)[:1]]
@@ -183,9 +187,10 @@ def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named,
     near = [one for one in before if one.at >= left.first - 14] or before[-1:]
     pronoun = next((tokens[k] for k in range(at + 1, min(at + 4, len(tokens))) if tokens[k].has("them", "each")), None)
     each = pronoun is not None and (pronoun.has("each") or pronoun.text in ("them", "these"))
+    to_each = {"door", "doors", "reached", "accessible", "entered"} & {*tokens[at].text.split()}
     target = next((one for one in reversed(near) if not each or one.count is None or one.count > 1), near[-1])
     if each and left.told != "number" and (target.count or 2) > 1 and pronoun is not None and pronoun.has("each"):
-        left.per = target
+        left.per = None if to_each else target  # one room with a door to each, or one off each
     reading.joints.append(Joint(left, target, kind, tokens[at].span, each=left.per is not None or each))
     reading.did(at, "joint")
     _done_pronoun(reading, at)
@@ -338,6 +343,20 @@ def _and_more(reading: Reading, names: dict[int, Named], one: Named) -> Named | 
         ),
         None,
     )
+
+
+def _and_place(reading: Reading, one: Named, sentence: range) -> str:
+    """The place that "and" joins to a room: "far from the kitchen and the front door"; empty where there is none."""
+    tokens = reading.tokens
+    if one.last + 1 >= sentence.stop or tokens[one.last + 1].text not in ("and", "&"):
+        return ""
+    k = one.last + 2
+    while k < sentence.stop and tokens[k].text in _GAP:
+        k += 1
+    if k >= sentence.stop or not tokens[k].has("place"):
+        return ""
+    reading.did(k, "joint")
+    return str(tokens[k].get("place"))
 
 
 def _subjects(reading: Reading, names: dict[int, Named], left: Named, at: int) -> list[Named]:

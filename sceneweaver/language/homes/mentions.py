@@ -10,13 +10,17 @@ from sceneweaver.language.model import Span
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.plans import room_types as plan_types
 
-from .described import read_before, read_behind
+from .described import is_look, read_before, read_behind
 from .lexicon import RoomKind, activities, data, plain, room_kinds
 from .parts import Named, Reading
+from .shared_rooms import PLACES_TO_WORK, SPACES, for_each, in_its_own, is_open, one_more_for
 from .tokens import Token
 
 _PLACES = ("places", "seats", "beds", "couches")
 """What is counted in one room: "twelve recovery places"."""
+
+_LIKE = ("able", "ible", "y", "ed", "er", "est", "ful", "ous", "ive", "ish", "ic", "al", "ent", "ant", "less")
+"""How words end that say what a room is like, and not what it is for."""
 
 MANY = 5
 """People from which on a room of an office is one for a team."""
@@ -38,9 +42,6 @@ _LISTED = (
 """Names of rooms that are also other words: rooms only in lists."""
 
 _BEHIND_LIST = ("and", "on", "of", "in", "for", "by", "/", "&", "or", "with", "at", "near")
-PLACES_TO_WORK = ("desk", "hot desk", "workplace", "workstation")
-"""Names of places to work: many of them are in one room."""
-
 _ONLY_COUNTED = (
     "room",
     "double",
@@ -65,7 +66,7 @@ def read_mentions(reading: Reading) -> None:
     """Finds the rooms that a request names."""
     tokens = reading.tokens
     for at, token in enumerate(tokens):
-        if at == reading.use_at:
+        if at == reading.use_at or token.done == "rooms":
             continue
         if (total := _total(reading, at)) is not None:
             reading.named.append(total)
@@ -75,7 +76,7 @@ def read_mentions(reading: Reading) -> None:
             reading.named.append(_named(reading, at, kind))
         elif token.text == "one" and (other := _another(reading, at)) is not None:
             reading.named.append(other)
-        elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
+        elif token.text in ("sleeps", "sleep", "together") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
     _en_suites(reading)
 
@@ -132,6 +133,10 @@ def _another(reading: Reading, at: int) -> Named | None:
     """ "Two small meeting rooms, a large one": one more of the kind."""
     tokens = reading.tokens
     last = reading.named[-1] if reading.named else None
+    if last is not None and one_more_for(reading, last, at):
+        name = "master_bedroom" if tokens[at + 2].has("we") else last.kind.name
+        reading.did(at, "rooms")
+        return Named(room_kinds()[name], at, at, at, tokens[at].span, 1, "article", noun=room_kinds()[name].noun)
     if (
         last is None
         or at < 2
@@ -142,14 +147,14 @@ def _another(reading: Reading, at: int) -> Named | None:
     found = Named(
         last.kind, at, at - 2, at, _over(tokens[at - 2], tokens[at]), 1, "number", noun=last.noun, said=last.said
     )
-    found.size = tokens[at - 1].get("size")
+    found.size, found.more = tokens[at - 1].get("size"), True
     for k in range(at - 2, at + 1):
         reading.did(k, "rooms")
     return found
 
 
 def _sleeper(reading: Reading, at: int) -> Named | None:
-    """ "Grandad sleeps downstairs": his bedroom."""
+    """ "Grandad sleeps downstairs", "the boys together in bunk beds": their bedroom."""
     before = reading.tokens[at - 1] if at else None
     kinds = {
         "seniors": "senior_bedroom",
@@ -161,7 +166,7 @@ def _sleeper(reading: Reading, at: int) -> Named | None:
         "babies": "nursery",
     }
     name = kinds.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
-    if name is None:
+    if name is None or reading.tokens[at].text == "together" and name != "childrens_room":
         return None
     reading.did(at, "rooms")
     return Named(
@@ -173,6 +178,8 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     """The kind of room that a token names here; None where it names none."""
     tokens, use = reading.tokens, reading.use
     token = tokens[at]
+    if token.text in ("space", "area") and use.plan == "office" and use.name != "school":
+        return room_kinds()["open_office"] if is_open(tokens, at, token.text) else None
     if not token.has("room", "means", "known_room", "use"):
         return None
     after = tokens[at + 1] if at + 1 < len(tokens) else None
@@ -196,15 +203,22 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return None
     if at and (_is_compound_thing(tokens[at - 1], token) or _worked_in(tokens, at)):
         return None
+    if use.plan == "office" and use.name != "school" and is_open(tokens, at, single):
+        return room_kinds()["open_office"]
+    if for_each(reading, at):
+        return room_kinds()[meant or "bedroom"]
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and (done := _by_activity(reading, at)) is not None:
         return done
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
-        if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
+        last, home = words[-1] if words else "", use.plan in ("flat", "house")
+        if home and "noun" not in vocabulary().get(last, {}) and (is_look(tokens[at - 1]) or last.endswith(_LIKE)):
             return room_kinds()[meant or "bedroom"]  # "a lockable room"
-        base = room_kinds()[meant or "bedroom"] if use.plan not in ("flat", "house") else room_kinds()["hobby_room"]
+        base = room_kinds()[meant or "bedroom"]
+        if home or last.endswith("ing"):  # "a grooming room", "a printing room": what is done there
+            base = room_kinds()["hobby_room" if home else "storage_room" if use.plan == "office" else base.name]
         return RoomKind(base.name, base.type, " ".join([*words, "room"]), base.counts_as)
     if meant is not None:
         options = [option for option in meant.split("|") if option in room_kinds()]
@@ -240,6 +254,8 @@ def _by_activity(reading: Reading, at: int) -> RoomKind | None:
 def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
     """Whether a word that is often no room is one here: it is counted, in the plural, or its own."""
     before = tokens[at - 1] if at else None
+    if single == "room" and in_its_own(tokens, at):
+        return False
     counted = any(t.get("number") is not None or t.text in ("a", "an") for t in tokens[max(0, at - 4) : at])
     if single == "room" and before is not None and before.text in data("words")["not_bedrooms"]:
         return False
@@ -311,6 +327,14 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
         found.count, found.told = 1, ""
+    if kind.name == "open_office" and said in SPACES:  # where those who were named work
+        found.count, found.told = 1, ""
+        found.definite = any(one.kind.name == kind.name for one in reading.named)
+    if for_each(reading, at):
+        found.count, found.told = None, "each"
+    after = found.at + 1
+    if found.last == found.at and not said.endswith("room") and after < len(tokens) and tokens[after].text == "room":
+        found.last = after  # "an archive room"
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found

@@ -7,8 +7,11 @@ from typing import Literal
 
 from sceneweaver.io import InputError
 from sceneweaver.language.model import Span, Unread
-from sceneweaver.plans import Envelope, Programme, envelope_for
+from sceneweaver.plans import Envelope, Profile, Programme, Rule, envelope_for
 from sceneweaver.plans.programme import AdjacencyKind
+
+HALL = 1.08
+"""What `sceneweaver.plans.envelope_for` multiplies the floor of a programme without a hall with."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +27,8 @@ class RoomAsked:
         wishes: what it is to have besides, in the words of the request.
         unwanted: things that it is not to have.
         size: "big", "small" or "" for a usual one.
+        equal: whether it is to be as large as the others of its name.
+        outside: whether a door of its own is to lead outside.
         area: (least, most) [m2] as it was said; None where it was not.
         storey: on which it was said to be, 0 the ground floor; None where it was not.
         daylight: whether it was said to have windows; None where it was not.
@@ -39,6 +44,8 @@ class RoomAsked:
     wishes: tuple[str, ...] = ()
     unwanted: tuple[str, ...] = ()
     size: str = ""
+    equal: bool = False
+    outside: bool = False
     area: tuple[float, float] | None = None
     storey: int | None = None
     daylight: bool | None = None
@@ -72,7 +79,7 @@ class HomeDemand:
     """Something that a request asks for, as measured in a finished home.
 
     Attributes:
-        kind: count, area, room_area, joint, storeys, storey, profile, envelope, light, excluded, thing.
+        kind: count, area, room_area, joint, outside, storeys, storey, profile, envelope, light, excluded, thing.
         words: what is asked for.
         status: whether it is so.
         detail: the numbers.
@@ -103,6 +110,7 @@ class HomeRequest:
         l_shape: whether the envelope is L-shaped.
         window_sides: how many sides may have windows.
         storeys: how many were asked for in so many words.
+        doors, ways: least clear widths [m] of all doors, and of halls and corridors.
         excluded: types of rooms that are not wanted.
         understood: the words of the request with what became of them.
         assumed: what the request does not say and was chosen, one line each.
@@ -126,6 +134,8 @@ class HomeRequest:
     l_shape: bool = False
     window_sides: int | None = None
     storeys: int | None = None
+    doors: float | None = None
+    ways: float | None = None
     excluded: tuple[str, ...] = ()
     understood: tuple[Understood, ...] = ()
     assumed: tuple[str, ...] = ()
@@ -141,6 +151,28 @@ class HomeRequest:
             f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}"
         )
 
+    @property
+    def rules(self) -> Profile:
+        """The profile with a hard row for each width that is asked for.
+
+        Examples:
+            >>> from sceneweaver.language.homes import read_home
+            >>> read_home("a two-bedroom flat, all doors 95 cm wide").rules.rule("asked-doors").least
+            0.95
+        """
+        profile = Profile.named(self.profile)
+        rows = [
+            Rule(
+                id=name, measure=measure, of=of, least=least, says=f"{what} are {least:g} m wide.", source="the request"
+            )
+            for name, measure, of, least, what in (
+                ("asked-doors", "door_width", ("entrance-door", "inner-door"), self.doors, "Doors"),
+                ("asked-ways", "passage", ("circulation", "-stairs"), self.ways, "Halls"),
+            )
+            if least is not None
+        ]
+        return profile.model_copy(update={"rows": (*profile.rows, *rows)}) if rows else profile
+
     def envelope(self, seed: int = 0) -> Envelope:
         """What the plan has to fit into: of the sides, the shape and the light that are asked for, and else as
         `sceneweaver.plans.envelope_for` chooses it by the ``seed``.
@@ -151,7 +183,7 @@ class HomeRequest:
             >>> max(x for x, _ in envelope.outline), envelope.open_walls
             (6.0, (0, 2))
         """
-        chosen = envelope_for(self.programme, seed)
+        chosen = envelope_for(self._without_hall() if self.area is not None else self.programme, seed)
         if not (self.width or self.depth or self.l_shape or self.window_sides):
             return chosen
         need = chosen.area if self.width is None or self.depth is None else self.width * self.depth
@@ -169,3 +201,13 @@ class HomeRequest:
         sides = (min(side, round(width / 2, 2)), min(side, round(depth / 2, 2)))
         number = {0: 0, 1: 1, 2: 4, 3: 5}
         return Envelope.l_shape(width, depth, cut=sides, closed=[number[k] for k in closed], **fields)
+
+    def _without_hall(self) -> Programme:
+        """The programme with as much less floor as an envelope adds for a hall where the programme has none: an area
+        that was asked for holds all there is."""
+        rooms = self.programme.rooms
+        if len(rooms) <= 3 or any("circulation" in room.kind.roles for room in rooms):
+            return self.programme
+        smaller = [(min(r.area[0], r.area[1] / HALL), r.area[1] / HALL, r.area[2]) for r in rooms]
+        rooms = tuple(r.model_copy(update={"area": a}) for r, a in zip(rooms, smaller, strict=True))
+        return self.programme.model_copy(update={"rooms": rooms})

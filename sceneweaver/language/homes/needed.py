@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from sceneweaver.plans import room_type
+
 from .lexicon import data, room_kinds
-from .parts import Reading
+from .parts import Named, Reading
 from .residents import bedrooms_for, people_told
 from .resolve import Room, bedroomlike, kind_named, new_id
 
@@ -19,7 +21,8 @@ def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
         if have < count and not _named_for_staff(reading, rooms):
             _add(rooms, kind, count - have)
             said.append(f"{count} x {kind.replace('_', ' ')}: one for each who works there")
-    if reading.visitors and not any(room.kind.name == "guest_room" for room in rooms) and reading.use.plan == "house":
+    guests = reading.visitors and reading.use.plan == "house" and not _numbered(reading)
+    if guests and not any(room.kind.name == "guest_room" for room in rooms):
         _add(rooms, "guest_room", 1)
         said.append("a guest room: for those who come to stay")
     for name, count in reading.use.needs.items():
@@ -62,20 +65,20 @@ def _instead(name: str, rooms: list[Room], barred: set[str]) -> bool:
     )
 
 
+def _numbered(reading: Reading) -> bool:
+    """Whether a number of bedrooms is told, which then are all of them."""
+    return any(
+        one.of is None and one.told in ("number", "total") and one.kind.name in ("bedroom", "studio_room")
+        for one in reading.named
+    )
+
+
 def _bedrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name != "guest_room"]
     if any(room.type in ("dormitory", "studio_apartment", "ward") for room in rooms) or reading.use.name in ("hostel",):
         return []
-    generic = [
-        one
-        for one in reading.named
-        if one.of is None
-        and bedroomlike(one.kind)
-        and one.told in ("number", "total")
-        and one.kind.name in ("bedroom", "studio_room")
-    ]
     said: list[str] = []
-    if not generic:
+    if not _numbered(reading):
         need = dict(bedrooms_for(reading))
         spare = list(own)
         for kind in need:  # rooms that are named for those people, then any other bedroom
@@ -103,11 +106,19 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     shared = [
         room
         for room in baths
-        if room.kind.name != "ensuite" and not any(one.per is not None for one in reading.named if room.id in one.ids)
+        if room.kind.name != "ensuite"
+        and not any(
+            one.per is not None or one.owner and _lives_apart(reading, one)
+            for one in reading.named
+            if room.id in one.ids
+        )
     ]
     beds = [room for room in rooms if bedroomlike(room.kind)]
     told = any(
-        one.kind.name in ("bathroom", "accessible_bathroom", "wet_room") and one.of is None and not one.barred
+        not (one.owner and _lives_apart(reading, one))
+        and one.kind.name in ("bathroom", "accessible_bathroom", "wet_room")
+        and one.of is None
+        and not one.barred
         for one in reading.named
     )
     own = sum(room.kind.name == "ensuite" for room in rooms)
@@ -121,6 +132,13 @@ def _bathrooms(reading: Reading, rooms: list[Room]) -> list[str]:
     many = max(1, many - len(baths))
     _add(rooms, kind, many)
     return [f"{_counted(kind, many)}: by how many live there"]
+
+
+def _lives_apart(reading: Reading, one: Named) -> bool:
+    """Whether who has a bathroom alone lives on a storey where the others do not sleep."""
+    beds = [other for other in reading.named if other.of is None and bedroomlike(other.kind) and not other.barred]
+    elsewhere = any(bed.storey not in (None, one.storey) and not bed.owner for bed in beds)
+    return one.storey is not None and (elsewhere or reading.sleep_storey not in (None, one.storey))
 
 
 def _accessible(reading: Reading, rooms: list[Room]) -> list[str]:
@@ -149,6 +167,9 @@ def _ways(reading: Reading, rooms: list[Room], barred: set[str]) -> list[str]:
         if not ways and not no_ways and len(indoors) > 3:
             _add(rooms, "entrance_hall", 1)
             said.append("an entrance hall: doors of many rooms need one")
+    elif not ways and not no_ways and len(indoors) > 1 and not any(room_type(r.type).transit == "all" for r in rooms):
+        _add(rooms, "hallway", 1)
+        said.append("a corridor: no room that is named leads to the others")
     elif not ways and not no_ways and len(indoors) > 4 and not any(room.type == "open_office" for room in rooms):
         _add(rooms, "hallway", 1)
         said.append("a corridor: doors of many rooms need one")

@@ -19,7 +19,8 @@ class Named:
         kind: of the rooms.
         at, first, last: number of the token that names them, and of the first and the last one of the phrase.
         count: how many; None where it is open ("meeting rooms").
-        told: how its number was told: "number", "article", "total" (of a two-bedroom flat), or "" for none.
+        told: how its number was told: "number", "article", "total" (of a two-bedroom flat), "each" (one for each of
+            the people), or "" for none.
         definite: whether it is "the" or somebody's, so that it may have been named before.
         all: whether it is every one of them.
         of: the rooms that it refers to some of.
@@ -27,6 +28,9 @@ class Named:
         open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each,
             side: least width [m].
         storey: "ground", "upper" ... as it was said.
+        equal: whether they are told to be of one size; more: whether it is one more of those before ("a separate one").
+        outside: "also" or "only" where it has a door of its own that leads outside.
+        owner: whose it is told to be alone ("mother", of "her own bathroom").
         noun: what its own request calls it; said: its name in the singular.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
     """
@@ -47,6 +51,9 @@ class Named:
     area: tuple[float, float] | None = None
     side: float | None = None
     equal: bool = False
+    more: bool = False
+    owner: str = ""
+    outside: str = ""
     open: bool = False
     storey: str | None = None
     accessible: bool = False
@@ -104,6 +111,8 @@ class Reading:
     """Whether the rooms that all use are told to be on the ground floor."""
     share: bool = False
     """Whether children share."""
+    together: bool = False
+    """Whether all children have one room."""
     visitors: bool = False
     workers: int | None = None
     staff: dict[str, int] = field(default_factory=dict[str, int])
@@ -115,6 +124,12 @@ class Reading:
     """Factor on the usual areas of all rooms."""
     width: float | None = None
     depth: float | None = None
+    doors: float | None = None
+    ways: float | None = None
+    """Least clear widths [m] of doors, and of halls."""
+    sleep_storey: str | None = None
+    live_storey: str | None = None
+    """The storeys on which all who live there are told to sleep, and to have all rooms of theirs."""
     l_shape: bool = False
     window_sides: int | None = None
     styles: list[str] = field(default_factory=list[str])

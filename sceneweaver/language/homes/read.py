@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from sceneweaver.language.model import Span, Unread
@@ -10,7 +10,7 @@ from sceneweaver.language.vocabulary import category_of, vocabulary
 from sceneweaver.plans import room_type
 from sceneweaver.plans import room_types as plan_types
 
-from .areas import balanced, set_areas
+from .areas import alike, balanced, set_areas
 from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
 from .each import read_each
 from .floors import read_floors
@@ -20,12 +20,15 @@ from .lexicon import Use, uses
 from .mentions import read_mentions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
+from .outside import read_outside
+from .owners import read_owners
 from .parts import Joint, Named, Reading
 from .residents import people_told, settle
 from .resolve import Room, bedroomlike, resolve
 from .site import read_site
-from .tokens import Spoken, spoken
+from .tokens import Spoken, Token, spoken
 from .use_named import use_by_rooms, use_in
+from .widths import read_widths
 from .wishes import read_wishes
 
 _OF_CHILDREN = ("nursery", "childrens_room", "teen_bedroom", "playroom")
@@ -61,6 +64,7 @@ def read_home(request: str) -> HomeRequest:
     own = _asked(reading, rooms, placed)
     told = {room.id for room in own if room.area is not None or room.size}
     programme = balanced(programme, told, sum(reading.area) / 2 if reading.area else None)
+    programme = alike(programme, [one.ids for one in reading.named if one.equal])
     return HomeRequest(
         text=request,
         language=said.language,
@@ -75,6 +79,8 @@ def read_home(request: str) -> HomeRequest:
         area=round(sum(reading.area) / 2, 1) if reading.area else None,
         width=reading.width,
         depth=reading.depth,
+        doors=reading.doors,
+        ways=reading.ways,
         l_shape=reading.l_shape,
         window_sides=reading.window_sides,
         storeys=reading.storeys or (1 if reading.one_storey else None),
@@ -96,6 +102,8 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         kinds = [one.kind.name for one in first.named]
         said = spoken(request)
         found = (use_by_rooms(kinds, 2 if any(t.has("storey") for t in said.tokens) else 1), None)
+    elif said.tokens[found[1] or 0].text == "place" and _is_storeyed(said.tokens):
+        found = (uses()["house"], found[1])
     reading = Reading(request, said.tokens, use or found[0], found[1])
     if found[1] is not None:
         reading.did(found[1], "use")
@@ -105,14 +113,22 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         if token.has("use") and token.get("use")[1] and not token.has("room"):
             reading.did(token, "use")  # where it stands, or what it is called again
     read_mentions(reading)
+    read_owners(reading)
+    read_outside(reading)
     read_joints(reading)
     read_floors(reading)
+    read_widths(reading)
     read_site(reading)
     read_people(reading)
     read_each(reading)
     settle(reading)
     read_wishes(reading)
     return reading, said
+
+
+def _is_storeyed(tokens: Sequence[Token]) -> bool:
+    """Whether several storeys are told: "a two-storey place"."""
+    return any(b.has("storey_words") and (a.number or 0) > 1 for a, b in zip(tokens, tokens[1:], strict=False))
 
 
 def _counts(reading: Reading, rooms: list[Room]) -> dict[str, int]:
@@ -169,14 +185,20 @@ def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]
             looks=tuple(dict.fromkeys(word for one in named for word in one.looks)),
             wishes=tuple(dict.fromkeys(words for one in named for words in one.wishes)),
             size="" if size is None or size == 1 else "big" if size > 1 else "small",
+            equal=any(one.equal for one in named),
+            outside=any(one.outside for one in named),
             area=next((one.area for one in named if one.area is not None), None),
             storey=placed.get(room.id) if room.storey else None,
             daylight=next((one.daylight for one in named if one.daylight is not None), None),
             assumed=not named,
             span=named[0].span if named else None,
         )
+    table: list[Room] = []
     for words, span, everyone in reading.loose:
         there = _places(words, rooms)
+        seats = bool({"chair", "chairs", "stools", "seats"} & {*words.split()})
+        there = table if seats and table and not everyone else there
+        table = there[:1] if "table" in words.split() else table  # chairs that are told after it stand there
         chosen = [room for room in there if room.type == there[0].type] if everyone else there[:1]
         for room in chosen:
             own[room.id] = replace(own[room.id], wishes=(*own[room.id].wishes, words))

@@ -47,6 +47,8 @@ def settle(reading: Reading) -> None:
 def _speaker_counts(reading: Reading) -> bool:
     """Whether the speaker lives there beside the others: "for my brother and me"."""
     tokens = reading.tokens
+    if _is_speaker(reading):
+        return False
     for at, token in enumerate(tokens):
         if (
             token.text == "me"
@@ -55,6 +57,18 @@ def _speaker_counts(reading: Reading) -> bool:
         ):
             return True
         if token.text == "i" and at and tokens[at - 1].text == "and":
+            return True
+    return False
+
+
+def _is_speaker(reading: Reading) -> bool:
+    """Whether an adult who is named is the speaker: "single mum here", "I am a lawyer"."""
+    tokens = reading.tokens
+    for at, token in enumerate(tokens):
+        if token.get("person") != "adults":
+            continue
+        before = {t.text for t in tokens[max(0, at - 4) : at]}
+        if at + 1 < len(tokens) and tokens[at + 1].text == "here" or before & {"i'm", "am", "i am"}:
             return True
     return False
 
@@ -68,7 +82,9 @@ def bedrooms_for(reading: Reading) -> list[tuple[str, int]]:
         if role is None:
             continue
         count = person.count
-        if role == "child" and reading.share and count > 1:
+        if role == "child" and reading.together:
+            count = 0 if found.get(rows[role]["kind"]) else 1
+        elif role == "child" and reading.share and count > 1:
             count = (count + 1) // 2
         kind = rows[role]["kind"]
         found[kind] = found.get(kind, 0) + count * rows[role]["each"]

@@ -68,13 +68,17 @@ def _same(reading: Reading) -> None:
     totals = [one for one in own if one.told == "total"]
     numbers = [one for one in own if one.kind.name == "bedroom" and one.told == "number"]
     explicit = [one for one in own if one.told or one.per is not None or one.area is not None and one.count is None]
+    explicit = [one for one in explicit if not one.more]
     for index, one in enumerate(own):
         before = own[:index]
+        if one.owner and not one.told and (whose := _of_owner(one, before)) is not None:
+            _become(one, whose, None)
+            continue
         if bedroomlike(one.kind) and one.told != "total":
             whole = totals[0] if totals else None
             if whole is None and numbers and not one.told and one is not numbers[0]:
                 whole = numbers[0]
-            if whole is not None and one is not whole:
+            if whole is not None and one is not whole and not _elsewhere(one, whole):
                 _become(one, whole, one.count if one.told else None if one.all or one.count is None else 1)
                 continue
         if one.per is not None:
@@ -99,7 +103,11 @@ def _same(reading: Reading) -> None:
                 (
                     o
                     for o in own[index + 1 :]
-                    if o in explicit and o.of is None and o.kind.name == one.kind.name and o.told
+                    if o in explicit
+                    and o.of is None
+                    and o.kind.name == one.kind.name
+                    and o.told
+                    and not _elsewhere(one, o)
                 ),
                 None,
             )
@@ -109,10 +117,27 @@ def _same(reading: Reading) -> None:
 
 def _means(one: Named, other: Named) -> bool:
     """Whether a name without a number may mean rooms that were named: "the kitchen" a dining kitchen."""
+    if _elsewhere(one, other):
+        return False
+    if one.definite and one.count == 1 and " " in other.said and other.said.split()[-1] == one.said != "room":
+        return True  # "the studio" of a pottery studio
     if one.kind.name == other.kind.name:
         alike = one.said == other.said or one.definite or bedroomlike(one.kind)
         return one.kind.noun == other.kind.noun and alike
     return one.kind.name in other.kind.counts_as and not (one.kind.name == "bathroom" and not one.definite)
+
+
+def _of_owner(one: Named, before: list[Named]) -> Named | None:
+    """The room of the same person that was named before: "mum's bedroom" of a mother with her own bedroom."""
+    alike = [
+        o for o in before if o.of is None and o.owner == one.owner and bedroomlike(o.kind) == bedroomlike(one.kind)
+    ]
+    return next((o for o in reversed(alike) if bedroomlike(o.kind) or o.kind.name == one.kind.name), None)
+
+
+def _elsewhere(one: Named, other: Named) -> bool:
+    """Whether two names are told to be on different storeys."""
+    return one.storey is not None and other.storey is not None and one.storey != other.storey
 
 
 def _become(one: Named, whole: Named, count: int | None) -> None:

@@ -30,10 +30,12 @@ _TOKEN = re.compile(
     rf"|(?P<dims>(?P<w>{_NUMBER}) ?(?P<wu>{_LENGTH})? ?(?:x|×|by|\*) ?(?P<d>{_NUMBER}) ?(?P<du>{_LENGTH}))(?![\w])"
     rf"|(?P<length>(?P<l>{_NUMBER})[ -]?(?P<lu>{_LENGTH}))(?![\w²])"
     r"|(?P<number>\d+(?:\.\d+)?)"
+    r"|(?P<short>\bw/(?!c\b|o\b))"
     r"|(?P<word>[^\W\d_]+(?:'[^\W\d_]+|'(?=\s|-|$))?|&)"
     r"|(?P<sign>[.;:,()!?/+\n])"
 )
 _PLAIN = {"‘": "'", "’": "'", "“": " ", "”": " ", "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2", "•": "\n"}
+_DASH = re.compile(r"(?<=[^\W\d]) - |(?<=[!?)]) - ")
 _TENS = {n for n in NUMBERS.values() if 20 <= n < 100}
 
 
@@ -103,7 +105,8 @@ def spoken(text: str) -> Spoken:
     check_text(text)
     letters: list[str] = []
     origin: list[int] = []
-    for index, letter in enumerate(text[:MOST]):
+    text_read = _DASH.sub(" , ", text[:MOST])  # a dash between words separates, as a comma does
+    for index, letter in enumerate(text_read):
         for one in unicodedata.normalize("NFKC", _PLAIN.get(letter, letter)).lower():
             letters.append(one)
             origin.append(index)
@@ -157,7 +160,7 @@ def _raw(text: str) -> list[_Raw]:
             kinds["number"] = float(m["number"])
         elif m["sign"]:
             kinds["sign"] = True
-        found.append(_Raw(m[0], m.start(), m.end(), kinds))
+        found.append(_Raw("with" if m["short"] else m[0], m.start(), m.end(), kinds))
     for one, two in zip(found, found[1:], strict=False):
         one.glued = text[one.end : two.start] == "-"
     return found

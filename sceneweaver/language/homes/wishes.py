@@ -28,8 +28,15 @@ _BEGIN = (
     "in",
     "no",
 )
+_FILLED = ("lined", "filled", "full", "fitted", "equipped", "furnished", "complete", "packed")
+"""Words before "with" or "of" that say that a room has something."""
+
+_BEFORE_PLACE = ("the", "a", "an", "our", "my", "for", "for each", "each", "each of them", "each of us", "of them")
+
 _COPULAS = ("is", "are", "should", "must", "be", "painted", "all", "please", "to", "has")
-_EVERYONE = ("each", "everyone", "everybody", "all")
+_EVERYONE = ("each", "everyone", "everybody")
+_ALL_OF = ("we", "they", "us", "them", "you")
+"""Words before "all" where that means people."""
 REACH = 6
 """Words before a thing among which the people are whom it is for."""
 
@@ -143,11 +150,15 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
             k += 1
         if _is_like(reading, one, sentence):
             continue
+        k = _behind_place(reading, one, k, sentence)
         if k >= sentence.stop or tokens[k].breaks or tokens[k].text not in _BEGIN and not tokens[k].has("size"):
             continue
         end = k
         while end < sentence.stop and not tokens[end].breaks and not any(n.first == end for n in reading.named):
-            if tokens[end].done and tokens[end].done not in ("request",) or tokens[end].has("storey"):
+            whose = tokens[end].done == "people" and end + 1 < sentence.stop and is_thing(tokens[end + 1])
+            if tokens[end].text in ("is", "are") and tokens[end - 1].has("me", "we", "person"):
+                break  # "a smaller one for me is fine"
+            if tokens[end].done not in ("", "request") and not whose or tokens[end].has("storey"):
                 break
             end += 1
         follows = end < sentence.stop and any(n.first == end for n in reading.named)
@@ -164,15 +175,32 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
             for t in told
         ):
             continue
+        said = _words(told)
+        if tokens[k - 1].text in _FILLED:
+            said = f"with {_words(told[1:])}"
+            reading.did(k - 1, f"request of {one.root.kind.name}")
         sizes = [t for t in told if t.has("size")]
         if sizes and len([t for t in told if t.has("size") or is_thing(t) or not t.kinds]) == len(sizes):
             one.root.size = one.root.size or sizes[0].get("size")
         else:
-            one.root.wishes.append(_words(told)) if one.of is None or one.count is None else one.wishes.append(
-                _words(told)
-            )
+            (one.root if one.of is None or one.count is None else one).wishes.append(said)
         for j in range(k, last):
             reading.did(j, f"request of {one.root.kind.name}")
+
+
+def _behind_place(reading: Reading, one: Named, at: int, sentence: range) -> int:
+    """Where what a room has begins: behind a place that it faces, light that it has or not, and "lined" or "full"."""
+    tokens = reading.tokens
+    k = at
+    while k < sentence.stop and not tokens[k].breaks and not any(n.first == k for n in reading.named):
+        if tokens[k].text in _FILLED and k + 1 < sentence.stop and tokens[k + 1].text in ("with", "of", "in"):
+            return k + 1
+        if tokens[k].text == "with" and k > at:
+            return k
+        if not (tokens[k].done in ("joint", "light") or tokens[k].text in _BEFORE_PLACE):
+            break
+        k += 1
+    return at
 
 
 def _is_like(reading: Reading, one: Named, sentence: range) -> bool:
@@ -252,7 +280,10 @@ def _for_everyone(reading: Reading, sentence: range, at: int) -> bool:
     for k in range(at - 1, max(sentence.start, at - REACH) - 1, -1):
         if reading.tokens[k].breaks:
             return False
-        if reading.tokens[k].text.split()[0] in _EVERYONE:
+        words = reading.tokens[k].text.split()
+        if words[0] in _EVERYONE or words == ["for", "each"]:
+            return True
+        if words[0] == "all" and ("of" in words or k and reading.tokens[k - 1].text in _ALL_OF):
             return True
     return False
 

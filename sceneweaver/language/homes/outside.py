@@ -1,0 +1,45 @@
+"""Rooms with a door of their own that leads outside."""
+
+from __future__ import annotations
+
+import re
+
+from sceneweaver.plans import room_type
+
+from .parts import Reading
+
+_OUT = r"(?:outside|outdoors|garden|yard|courtyard|street)"
+_OWN = re.compile(
+    r"\b(?:its|their|an?|her|his)\s+(?:own|separate|direct)\s+(?:\w+\s+)?(?:door|entrance|access)\b"
+    r"|\b(?:its|their)\s+(?:own\s+)?(?:door|entrance)\s+(?:straight\s+)?(?:out|to the " + _OUT + r")"
+    r"|\bdoors?\s+(?:of its own\s+)?(?:straight\s+|directly\s+)?(?:out\s+)?(?:to|into)\s+(?:the\s+)?" + _OUT
+)
+_ONLY = re.compile(rf"\bonly\b[^.;,]{{0,30}}\bfrom\s+(?:the\s+)?{_OUT}\b|\bfrom\s+(?:the\s+)?{_OUT}\s+only\b")
+
+
+def read_outside(reading: Reading) -> None:
+    """ "A workshop with its own door outside", "a store only reached from outside": said of a room up to the next."""
+    text = reading.text.lower()
+    names = sorted((one for one in reading.named if one.of is None and not one.barred), key=lambda one: one.at)
+    for number, one in enumerate(names):
+        kind = room_type(one.kind.type)
+        if kind.roles & {"entrance", "outdoor"}:
+            continue
+        stops = [token.span.start for token in reading.tokens if token.stops and token.span.start >= one.span.end]
+        following = [names[number + 1].span.start] if number + 1 < len(names) else []
+        end = min([*stops, *following, len(text)])
+        said = text[one.span.end : end]
+        only, own = _ONLY.search(said), _OWN.search(said)
+        if only is None and (own is None or "own" in own[0] and not re.search(r"door|entrance|access", own[0])):
+            continue
+        found = only or own
+        assert found is not None
+        one.outside = "only" if only is not None else "also"
+        low, high = one.span.end + found.start(), one.span.end + found.end()
+        for token in reading.tokens:
+            if low <= token.span.start < high or token.span.start < high <= token.span.end:
+                token.done = token.done or "rooms"
+        if one.outside == "only":
+            reading.notes.append(
+                f"{one.said or one.kind.noun}: besides the door outside it has one to the rooms within"
+            )
