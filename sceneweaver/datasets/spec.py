@@ -133,7 +133,7 @@ class Spec(_Brief):
         default=16,
         ge=1,
         le=4096,
-        description=f"Rooms that are made together, and kept or lost together; of homes {HOMES_BLOCK} unless it is said",
+        description=f"Rooms that are made together, kept or lost together; of homes {HOMES_BLOCK} unless it is said",
     )
     shard: int = Field(default=200, ge=1, le=4096, description="Size of a shard of data [MB]")
 
