@@ -222,7 +222,7 @@ class _Run:
     pool: RoomPool
     plans: int
     rooms: Mapping[str, Any]
-    drawn: Mapping[str, Library]
+    drawn: Mapping[str, Any]
     limit: Deadline
     folder: HomeFolder | None
     said: Callable[[str], None] | None

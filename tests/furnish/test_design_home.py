@@ -126,6 +126,12 @@ def test_only_what_is_in_the_way_is_furnished_anew(monkeypatch: pytest.MonkeyPat
     assert all(job.options["library"] is library for job in made)
 
 
+@pytest.mark.slow
+def test_a_home_is_the_same_on_any_number_of_processes() -> None:
+    one, two = (sw.design_home(programme=TINY, seed=2, **{**FAST, "workers": workers}) for workers in (1, 2))
+    assert one.home.dumps() == two.home.dumps() and one.unmet == two.unmet
+
+
 def test_a_room_that_was_cut_off_is_made_again(monkeypatch: pytest.MonkeyPatch) -> None:
     made = list[str]()
 
