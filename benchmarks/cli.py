@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from benchmarks import (
+    dataset_homes,
     dataset_layouts,
     dataset_scenes,
     layout_bench,
@@ -52,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return dataset_layouts.main(words[1:])
         if words[:1] == ["datasets"]:
             return dataset_scenes.main(words[1:])
+        if words[:1] == ["homes"]:
+            return dataset_homes.main(words[1:])
         if words[:1] == ["prior_data"]:
             return prior_data.main(words[1:])
         if words[:1] == ["prior_memory"]:
@@ -85,6 +88,7 @@ def parser() -> argparse.ArgumentParser:
         description="Measure sceneweaver. Ends with 1 when an answer is wrong, never because it is slow.",
         epilog="python -m benchmarks report --help: write the page of results; problems --help: the zoo of problems; "
         "layouts --help: layouts as a data set; datasets --help: scenes of one; "
+        "homes --help: homes of one; "
         "prior_data, prior_train, prior_memory --help: the learned prior; nouns --help: the table of nouns; "
         "real_plans --help: plans of other systems against the rules; "
         "comparison --help: our scenes beside those of other systems.",

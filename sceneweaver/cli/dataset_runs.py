@@ -69,7 +69,7 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     from sceneweaver.datasets.engines import Listener, Options, missing, resume
 
     path, begun = dataset.folder.path, time.monotonic()
-    progress = Progress(stdout if run.as_json else None, stderr)
+    progress = Progress(stdout if run.as_json else None, stderr, dataset.spec.product)
     options = Options(
         run.workers,
         run.device,
@@ -110,13 +110,20 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
 
 
 class Progress:
-    """What a run says: a line of JSON a block, a line on a terminal that moves, or a line now and then."""
+    """What a run says: a line of JSON a block, a line on a terminal that moves, or a line now and then.
 
-    def __init__(self, lines: IO[str] | None, stderr: IO[str]):
+    Args:
+        lines: where lines of JSON go; None: there are none.
+        stderr: where the others go.
+        product: what is made. A home takes so long that each block of homes has a line.
+    """
+
+    def __init__(self, lines: IO[str] | None, stderr: IO[str], product: str = "scenes"):
         self.blocks, self._lines, self._stderr = 0, lines, stderr
         self._begun = self._said = time.monotonic()
         self._moving = lines is None and stderr.isatty()
         self._done = 0
+        self._noun, self._quiet = product, 0.0 if product == "homes" else QUIET
         self.counts: Counter[str] = Counter({status: 0 for status in STATUSES})
 
     def block(self, record: dict[str, Any]) -> None:
@@ -128,7 +135,7 @@ class Progress:
         elif self._moving:
             self._stderr.write(f"\r\x1b[K{self._line()}")
             self._stderr.flush()
-        elif time.monotonic() - self._said > QUIET:
+        elif time.monotonic() - self._said >= self._quiet:
             self._said = time.monotonic()
             print(self._line(), file=self._stderr, flush=True)
 
@@ -154,7 +161,7 @@ class Progress:
         troubles = self.counts["rejected"] + self.counts["failed"]
         rate = self.counts.total() / seconds
         return (
-            f"{self._done}/{self.blocks} blocks, {self.counts.total()} scenes, {rate:.2f} a second, "
+            f"{self._done}/{self.blocks} blocks, {self.counts.total()} {self._noun}, {rate:.2f} a second, "
             f"{troubles} not delivered, {duration(left)} left"
         )
 

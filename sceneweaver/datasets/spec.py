@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
@@ -30,6 +31,9 @@ Weights = Annotated[dict[str, Annotated[float, Field(gt=0)]], Field(min_length=1
 """What is drawn, with how much it weighs."""
 
 Share = Annotated[float, Field(ge=0, le=1)]
+
+HOMES_BLOCK = 1
+"""Homes of a block where a specification does not say it: one takes half a minute and shares nothing with the next."""
 
 
 class _Brief(FrozenModel):
@@ -125,8 +129,20 @@ class Spec(_Brief):
     splits: Weights = Field(default={"train": 0.9, "validation": 0.05, "test": 0.05})
     variants: int = Field(default=8, ge=1, le=10**6, description="Drawings of a kind of thing that scenes choose from")
     time_limit: float = Field(default=120.0, gt=0, description="Seconds for a scene, after which it has failed")
-    block: int = Field(default=16, ge=1, le=4096, description="Rooms that are made together, and kept or lost together")
+    block: int = Field(
+        default=16,
+        ge=1,
+        le=4096,
+        description=f"Rooms that are made together, kept or lost together; of homes {HOMES_BLOCK} unless it is said",
+    )
     shard: int = Field(default=200, ge=1, le=4096, description="Size of a shard of data [MB]")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _homes_apart(cls, data: Any) -> Any:
+        if isinstance(data, Mapping) and data.get("product") == "homes" and "block" not in data:
+            return {**data, "block": HOMES_BLOCK}
+        return data
 
     @model_validator(mode="after")
     def _of_homes(self) -> Spec:

@@ -25,12 +25,13 @@ from sceneweaver.verify.home import HomeReport, check_home
 
 from .deliver import deliver
 from .demands import furnishable, raised
-from .folder import HomeFolder
+from .folder import HomeFolder, digest
 from .giving_way import areas_asked, missed, softer
 from .home import FurnishedHome, furnish_home
-from .jobs import DRAWS, FurnishedRoom
+from .jobs import DRAWS, FurnishedRoom, RoomJob
 from .planning import ChosenPlan, plan_home
 from .result import HomeResult
+from .side_by_side import RoomPool
 
 TIME = 600.0
 """Time limit [s] where none is given."""
@@ -129,9 +130,13 @@ def design_home(
     asked = _Asked.of(prompt, programme, envelope, profile)
     folder = HomeFolder(Path(out)) if out is not None else None
     rooms = {"steps": steps, "candidates": candidates, "clutter": clutter, "draws": draws}
-    run = _Run(asked, seed, device, workers, plans, rooms, limit, folder, said, library)
+    drawn = {"library": library} if library is not None else {}
+    if workers is not None and workers < 1:
+        raise InputError(f"workers: {workers} is too few; give at least 1, or leave it out for one a core")
+    run = _Run(asked, seed, device, RoomPool(workers), plans, rooms, drawn, limit, folder, said)
     with folder.held() if folder is not None else nullcontext():
-        result = run.go(started)
+        with run.pool:
+            result = run.go(started)
         if folder is None:
             return result
         done = deliver(result, folder.path, library or Library(), device, wanted, formats, limit)
@@ -228,18 +233,20 @@ class _Run:
     asked: _Asked
     seed: int
     device: str
-    workers: int | None
+    pool: RoomPool
     plans: int
     rooms: Mapping[str, Any]
+    drawn: Mapping[str, Any]
     limit: Deadline
     folder: HomeFolder | None
     said: Callable[[str], None] | None
-    library: Library | None
+    made: dict[tuple[str, str], FurnishedRoom] = field(default_factory=dict)
     log: list[str] = field(default_factory=list)
     spent: dict[str, float] = field(default_factory=dict)
 
     def go(self, started: float) -> HomeResult:
         """Plan, furnish, and go back to the plan where that does not hold what it has to."""
+        self.pool.begin(len(self.asked.programme.rooms))
         programme, raises = self._possible()
         first, home = 0, None
         if self.folder is not None:
@@ -414,16 +421,28 @@ class _Run:
             seeds=seeds,
             prompt=self.asked.style,
             device=self._rooms_on,
-            workers=self.workers,
             time_limit=None if math.isinf(left) else max(1.0, (1 - FILES) * left),
-            kept=self.folder.kept if self.folder is not None else None,
+            kept=self._kept,
             said=self._room_said,
-            finished=self.folder.keep if self.folder is not None else None,
+            finished=self._finished,
             stop=self.limit.stop,
+            pool=self.pool,
             **self.rooms,
+            **self.drawn,
         )
         self._lap("rooms", began)
         return done
+
+    def _kept(self, job: RoomJob) -> FurnishedRoom | None:
+        """A room of the same job that this run, or the one that was cut off, has made; None: there is none."""
+        made = self.made.get((job.room_id, digest(job)))
+        return self.folder.kept(job) if made is None and self.folder is not None else made
+
+    def _finished(self, job: RoomJob, room: FurnishedRoom) -> None:
+        if not room.cut_off and not room.failed:
+            self.made[job.room_id, digest(job)] = room
+        if self.folder is not None:
+            self.folder.keep(job, room)
 
     @property
     def _rooms_on(self) -> str:

@@ -5,30 +5,21 @@ from __future__ import annotations
 import math
 import random
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import suppress
+from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.home import Home
 from sceneweaver.language import read_request
-from sceneweaver.runtime import processes
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.scene import InputError
 
-from .jobs import DRAWS, FurnishedRoom, RoomJob, furnish_room
+from .jobs import DRAWS, FurnishedRoom, RoomJob
 from .kinds import kind_of
 from .requests import room_requests
 from .scheme import Scheme, is_wet, scheme_of
-
-TICK = 0.2
-"""Seconds between two looks at the clock and at signals while rooms are furnished elsewhere."""
-
-LATE = 5.0
-"""Seconds after its time is up that a process gets to come back with a room."""
+from .side_by_side import RoomPool
 
 Kept = Callable[[RoomJob], FurnishedRoom | None]
 """Finds a room that was furnished before."""
@@ -98,6 +89,7 @@ def furnish_home(
     said: Said | None = None,
     finished: Finished | None = None,
     stop: Stop | None = None,
+    pool: RoomPool | None = None,
     **options: Any,
 ) -> FurnishedHome:
     """Furnish the rooms of a home together.
@@ -121,7 +113,8 @@ def furnish_home(
         said: called with each room when it is done.
         finished: called with the job of a room and the room when that has just been made.
         stop: asks it to end before, with what is best then.
-        options: of `sceneweaver.design` for each room: steps, candidates, clutter, settle.
+        pool: processes that are used for several homes, instead of some of its own; ``workers`` does not count then.
+        options: of `sceneweaver.design` for each room: steps, candidates, clutter, settle, library.
 
     Raises:
         InputError: for a room that the home has not, or options out of range.
@@ -151,12 +144,13 @@ def furnish_home(
     if said is not None:
         for room in done.values():
             said(room)
-    for room in _made(left, workers or processes.cores(), deadline):
-        done[room.room_id] = room
-        if finished is not None:
-            finished(next(job for job in left if job.room_id == room.room_id), room)
-        if said is not None:
-            said(room)
+    with nullcontext(pool) if pool is not None else RoomPool(workers) as made_by:
+        for room in made_by.made(left, deadline):
+            done[room.room_id] = room
+            if finished is not None:
+                finished(next(job for job in left if job.room_id == room.room_id), room)
+            if said is not None:
+                said(room)
     rooms = {job.room_id: done[job.room_id] for job in jobs}
     scenes = {name: room.scene for name, room in rooms.items()}
     furnished = home.with_changes(
@@ -208,70 +202,3 @@ def _opens_to_dry(home: Home, room_id: str) -> bool:
         if kind is not None and not is_wet(kind):
             return True
     return False
-
-
-def _made(jobs: Sequence[RoomJob], workers: int, deadline: Deadline) -> Iterator[FurnishedRoom]:
-    """The rooms, each as it gets done; those that take longest are begun first."""
-    order = sorted(jobs, key=lambda job: (-_work(job), job.room_id))
-    count = min(workers, len(order))
-    if count <= 1:
-        for at, job in enumerate(order):
-            yield furnish_room(job, _share(deadline, job, order[at:], 1), deadline.stop)
-        return
-    with processes.pool(count, deaf=True) as pool:
-        running = list((pool._processes or {}).values())  # noqa: SLF001 - there is no public way to end one
-        try:
-            yield from _side_by_side(pool, order, count, deadline)
-        finally:
-            if deadline.passed or deadline.stop.reason:
-                pool.shutdown(wait=False, cancel_futures=True)
-                for process in running:
-                    process.kill()
-
-
-def _side_by_side(
-    pool: ProcessPoolExecutor, order: Sequence[RoomJob], count: int, deadline: Deadline
-) -> Iterator[FurnishedRoom]:
-    waiting, running = list(order), dict[Future[FurnishedRoom], RoomJob]()
-    while waiting or running:
-        while waiting and len(running) < count and not (deadline.passed and len(waiting) < len(order)):
-            job = waiting.pop(0)
-            seconds = _share(deadline, job, [job, *waiting], count)
-            try:
-                running[pool.submit(furnish_room, job, seconds)] = job
-            except BrokenProcessPool as error:
-                yield _broken(job, error)
-        if not running and deadline.passed:
-            break
-        ready, _ = wait(running, TICK, FIRST_COMPLETED)
-        for future in ready:
-            job = running.pop(future)
-            try:
-                yield future.result()
-            except BrokenProcessPool as error:
-                yield _broken(job, error)
-        if deadline.stop.reason or deadline.left < -LATE:
-            break
-    for job in [*running.values(), *waiting]:
-        reason = deadline.stop.reason or "time was up"
-        yield FurnishedRoom(job.room_id, job.request, failed=reason, cut_off=reason)
-
-
-def _broken(job: RoomJob, error: BaseException) -> FurnishedRoom:
-    """A room whose process ended under it."""
-    return FurnishedRoom(job.room_id, job.request, failed=f"the process that made it ended: {error}")
-
-
-def _work(job: RoomJob) -> float:
-    """How long a room takes, in no unit: with its floor, and longer where units have to fit a wall."""
-    with suppress(ValueError, ZeroDivisionError):
-        return signed_area(job.shell.outline) + (8.0 if "kitchen" in job.shell.type else 0.0)
-    return 0.0
-
-
-def _share(deadline: Deadline, job: RoomJob, left: Sequence[RoomJob], workers: int) -> float | None:
-    """Seconds that one of the rooms that are left may take, so that the others get theirs; None: any."""
-    if deadline.left == math.inf:
-        return None
-    share = _work(job) / max(1e-6, sum(_work(other) for other in left))
-    return max(1.0, deadline.left * min(1.0, workers * share))

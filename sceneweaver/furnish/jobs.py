@@ -37,7 +37,7 @@ class RoomJob:
         shell: the empty room, finished.
         palette: the look of its furniture; None: as its request says.
         seed: of all that is drawn.
-        options: of `sceneweaver.design`: steps, candidates, device, clutter, settle.
+        options: of `sceneweaver.design`: steps, candidates, device, clutter, settle, library.
         draws: how often it is furnished, of which the best is kept.
     """
 
@@ -58,7 +58,7 @@ class RoomJob:
             "palette": None if self.palette is None else self.palette.model_dump(mode="json"),
             "seed": self.seed,
             "draws": self.draws,
-            "options": {name: value for name, value in self.options.items() if name != "device"},
+            "options": {name: value for name, value in self.options.items() if name not in ("device", "library")},
         }
 
 
@@ -107,6 +107,10 @@ class FurnishedRoom:
         """Larger is better: valid, as asked, with what it needs, then the critic's grades."""
         total = self.review.total if self.review is not None else 0.0
         return float(self.valid), -float(len(self.unmet)), -float(len(self.lacking)), round(total, 6)
+
+
+def ready() -> None:
+    """Nothing; a process that is asked for it has loaded what furnishes rooms."""
 
 
 def furnish_room(job: RoomJob, seconds: float | None = None, stop: Stop | None = None) -> FurnishedRoom:

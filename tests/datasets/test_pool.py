@@ -1,6 +1,7 @@
 """The drawings that scenes of a data set choose from."""
 
 import math
+import pickle
 import random
 from functools import partial
 from itertools import pairwise
@@ -31,6 +32,10 @@ def test_a_pool_has_few_drawings_of_a_kind_and_they_are_all_loaded_by_id() -> No
     assert 2 <= len(found) <= 4
     for name, asset in found.items():
         assert Library().load(name) is asset  # drawn once, whoever asks
+
+
+def test_a_pool_is_told_to_other_processes_by_its_variants() -> None:
+    assert pickle.loads(pickle.dumps(dataset_library(3))) is dataset_library(3)
 
 
 def test_what_words_ask_for_and_what_is_fitted_keeps_its_size() -> None:

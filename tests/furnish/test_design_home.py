@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.furnish import asks_for_home, design
+from sceneweaver.assets import Library
+from sceneweaver.furnish import asks_for_home, design, side_by_side
 from sceneweaver.furnish.design import _Asked
 from sceneweaver.furnish.folder import HomeFolder, room_folder
 from sceneweaver.furnish.home import FurnishedHome, room_jobs
-from sceneweaver.furnish.jobs import FurnishedRoom
+from sceneweaver.furnish.jobs import FurnishedRoom, RoomJob
 from sceneweaver.plans import Programme
 
 TINY = Programme.from_graph(
@@ -106,6 +108,45 @@ def test_demands_go_back_to_the_plan_at_most_twice(monkeypatch: pytest.MonkeyPat
     assert len(asked) == 1
 
 
+def test_only_what_is_in_the_way_is_furnished_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A room is made once for a job, whatever becomes of the others; and all rooms have the library that is given."""
+    made, library = list[RoomJob](), Library()
+
+    def room(job: RoomJob, seconds: float | None = None, stop: object = None) -> FurnishedRoom:
+        made.append(job)
+        scene = sw.Scene(id=job.room_id, prompt=job.request, room=job.shell)
+        return FurnishedRoom(job.room_id, job.request, scene, report=sw.check(scene))
+
+    monkeypatch.setattr(side_by_side, "furnish_room", room)
+    monkeypatch.setattr(design, "_in_the_way", lambda home, report: {"hall"})
+    result = sw.design_home(programme=TINY, library=library, **FAST)
+    counts = Counter(job.room_id for job in made)
+    assert counts.pop("hall") == 1 + design.WALKS and set(counts.values()) == {1} and set(counts) < set(result.rooms)
+    assert len({job.seed for job in made if job.room_id == "hall"}) == 1 + design.WALKS
+    assert all(job.options["library"] is library for job in made)
+
+
+@pytest.mark.slow
+def test_a_home_is_the_same_on_any_number_of_processes() -> None:
+    one, two = (sw.design_home(programme=TINY, seed=2, **{**FAST, "workers": workers}) for workers in (1, 2))
+    assert one.home.dumps() == two.home.dumps() and one.unmet == two.unmet
+
+
+def test_a_room_that_was_cut_off_is_made_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = list[str]()
+
+    def room(job: RoomJob, seconds: float | None = None, stop: object = None) -> FurnishedRoom:
+        made.append(job.room_id)
+        cut = "time was up" if job.room_id == "bed" and made.count("bed") == 1 else ""
+        scene = sw.Scene(id=job.room_id, prompt=job.request, room=job.shell)
+        return FurnishedRoom(job.room_id, job.request, scene, report=sw.check(scene), cut_off=cut)
+
+    monkeypatch.setattr(side_by_side, "furnish_room", room)
+    monkeypatch.setattr(design, "_in_the_way", lambda home, report: {"hall"})
+    sw.design_home(programme=TINY, **FAST)
+    assert Counter(made)["bed"] == 2 and Counter(made)["store"] == 1
+
+
 def test_rooms_are_kept_by_what_decides_them(tmp_path: Path) -> None:
     folder = HomeFolder(tmp_path)
     _, jobs = room_jobs(sw.Home.example("flat"), seed=1, steps=1, candidates=8)
@@ -139,6 +180,7 @@ def test_names_of_folders_stay_inside() -> None:
         ({"prompt": "a flat", "pictures": "some"}, "pictures"),
         ({"prompt": "a flat", "export": "scenestate"}, "export"),
         ({"prompt": "a flat", "profile": "royal"}, "profile"),
+        ({"prompt": "a flat", "workers": 0}, "workers"),
     ],
 )
 def test_bad_arguments_are_named(options: dict, named: str) -> None:

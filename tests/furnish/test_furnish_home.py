@@ -10,6 +10,7 @@ from sceneweaver.furnish.home import room_jobs
 from sceneweaver.furnish.jobs import FurnishedRoom, furnish_room
 from sceneweaver.furnish.kinds import kind_of
 from sceneweaver.furnish.requests import least_side
+from sceneweaver.furnish.side_by_side import RoomPool
 from sceneweaver.furnish.windows import with_sills
 
 FAST = {"steps": 1, "candidates": 8, "draws": 1}
@@ -87,8 +88,13 @@ def test_sills_of_kitchens_are_over_the_tap() -> None:
 def test_the_same_on_one_process_and_on_two() -> None:
     home = _flat("hall", "bath")
     one = sw.furnish_home(home, workers=1, seed=4, **FAST)
-    two = sw.furnish_home(home, workers=2, seed=4, **FAST)
+    with RoomPool(2) as pool:
+        two = sw.furnish_home(home, pool=pool, seed=4, **FAST)
+        used = set(pool._pool._processes)
+        again = sw.furnish_home(_flat("hall"), pool=pool, seed=4, **FAST)  # alone, and by those that are there
+        assert len(used) == 2 and set(pool._pool._processes) == used
     assert one.home.dumps() == two.home.dumps()
+    assert again.home.room("hall").scene == one.home.room("hall").scene
     for room in one.home.rooms:
         shell = home.shell(room.id)
         assert (room.scene.room.outline, room.scene.room.doors, room.scene.room.windows) == (

@@ -18,7 +18,7 @@ from ..samples import Sample
 from ..spec import Spec
 from ..store import AssetStore
 from ..store.pool import dataset_library
-from ..store.scene_files import references
+from ..store.scene_files import references, writer_of
 from .files import asset_columns, home_columns, home_files, home_fingerprint, report_columns
 from .making import MadeHome, MakeHome, make_home
 
@@ -40,6 +40,7 @@ def produce_homes(
     """
     del device
     library = dataset_library(spec.variants)
+    writer_of(store, library.load)  # before anything is drawn: other processes may have drawn it
     for request in requests:
         yield _Attempts(spec, request, library, store, make).sample()
     store.sync()

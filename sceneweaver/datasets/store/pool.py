@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache, lru_cache
 
@@ -71,7 +71,12 @@ class PooledLibrary(Library):
 
     def __init__(self, source: PooledSource):
         super().__init__([source])
+        self._variants = source.variants
         self._first = lru_cache(maxsize=CHOICES)(self._first_choice)
+
+    def __reduce__(self) -> tuple[Callable[[int], Library], tuple[int]]:
+        """Another process takes its own, of as many variants."""
+        return dataset_library, (self._variants,)
 
     def choose(self, noun: str, count: int = 1, wish: Wish | None = None, same: bool = True) -> list[Asset]:
         """As `Library.choose`; what is drawn once for all styles says the wanted one of itself."""

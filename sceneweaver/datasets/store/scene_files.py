@@ -41,9 +41,19 @@ def scene_files(scene: Scene | Home, formats: Sequence[str], store: AssetStore, 
         store: where meshes and images go.
         load: from asset id to asset; all that are given for one store give equal assets.
     """
+    return writer_of(store, load).of(scene, formats)
+
+
+def writer_of(store: AssetStore, load: Load) -> SceneFiles:
+    """The one writer of a store. From when it is there, what processes draw and merge they tell each other.
+
+    Args:
+        store: where meshes and images go.
+        load: from asset id to asset; all that are given for one store give equal assets.
+    """
     if SceneFiles not in store.notes:
         store.notes[SceneFiles] = SceneFiles(store, load)
-    return store.notes[SceneFiles].of(scene, formats)
+    return store.notes[SceneFiles]
 
 
 class SceneFiles:

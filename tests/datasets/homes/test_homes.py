@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import io
 import json
 import os
 import signal
@@ -15,6 +16,7 @@ import pyarrow.parquet as pq
 import pytest
 import yaml
 
+from sceneweaver.cli.dataset_runs import Progress
 from sceneweaver.datasets import Folder, Requests, Spec, load_spec, make_block
 from sceneweaver.datasets.checking.findings import Findings
 from sceneweaver.datasets.checking.home import HomeJudge
@@ -22,6 +24,7 @@ from sceneweaver.datasets.checking.verify import verify_dataset
 from sceneweaver.datasets.engines import Listener, Options, begin, merge, resume
 from sceneweaver.datasets.homes.files import home_fingerprint
 from sceneweaver.datasets.reading import extract, scenes_of, shards_of, spans_of
+from sceneweaver.datasets.spec import spec_schema
 from sceneweaver.datasets.work import Produce, pack
 from sceneweaver.envs import HomeEnv
 from sceneweaver.home import Home
@@ -47,15 +50,15 @@ PLANS = {
     "homes": {"furnished": False, "plans": 16, "point_goals": 2},
     "rooms": {"attempts": 3},
     "count": 2,
-    "block": 1,
 }
 
 
 def spec_file(folder: Path, *prompts: str, **changes: object) -> Path:
-    """A specification with some prompts, or other changes."""
+    """A specification with some prompts, or other changes; what is None is left out."""
     folder.mkdir(parents=True, exist_ok=True)
     asked = {"requests": {"prompts": list(prompts)}} if prompts else {}
-    (folder / "homes.yaml").write_text(yaml.safe_dump(ASKED | asked | changes))
+    said = {name: value for name, value in (ASKED | asked | changes).items() if value is not None}
+    (folder / "homes.yaml").write_text(yaml.safe_dump(said))
     return folder / "homes.yaml"
 
 
@@ -88,6 +91,40 @@ def rows(out: Path) -> list[dict]:
 def homes_of(out: Path) -> dict[str, dict[str, bytes]]:
     """The files of all homes, by key."""
     return {key: files for s in shards_of(Folder(out)) for span in spans_of(s, 8) for key, files in scenes_of(span)}
+
+
+def test_a_home_is_a_block_unless_another_one_is_said(tmp_path):
+    prompts = {"requests": {"prompts": ["a home"]}}
+    assert load_spec(spec_file(tmp_path, "a home", block=None)).block == 1
+    assert Spec.model_validate({**ASKED, **prompts, "block": 16}).block == 16
+    for product in ("scenes", "layouts"):
+        rooms = {"schema": ASKED["schema"], "name": "rooms", "count": 1, "product": product, **prompts}
+        assert Spec.model_validate(rooms).block == 16
+    assert "of homes 1" in spec_schema()["properties"]["block"]["description"]
+
+
+def test_each_home_is_delivered_and_told_of_by_itself(tmp_path):
+    """Of four homes a run makes two until it breaks down: these are kept, and the next run makes the others alone."""
+    source = spec_file(tmp_path, "a home", block=None)
+    dataset = begin(source, tmp_path / "out", "cpu")
+    for number in (0, 2):
+        make_block(dataset.folder, dataset.requests, number, "cpu", fake_homes.produce)
+    said, begun = io.StringIO(), []
+    progress = Progress(None, said, dataset.spec.product)
+
+    def going(count: int) -> None:
+        begun.append(count)
+        progress.begun(count)
+
+    resume(
+        dataset,
+        Options(workers=1),
+        Listener(progress.block, progress.notice, going),
+        produce=fake_homes.produce,
+    )
+    assert begun == [2]
+    assert [line[:20] for line in said.getvalue().splitlines()] == ["1/2 blocks, 1 homes,", "2/2 blocks, 2 homes,"]
+    assert sums(tmp_path / "out") == sums(made_here(source, tmp_path / "calm"))
 
 
 @pytest.fixture(scope="module")
