@@ -15,20 +15,20 @@ from sceneweaver.assets import Library
 from sceneweaver.export import format_named, formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
-from sceneweaver.language.homes import HomeRequest, demands, is_home, read_home
-from sceneweaver.language.homes import room_requests as told_requests
-from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, envelope_for
+from sceneweaver.language.homes import is_home
+from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.options import PictureSet
 from sceneweaver.scene import InputError
 from sceneweaver.verify.home import HomeReport, check_home
 
+from .asked import Asked
 from .deliver import deliver
 from .demands import furnishable, raised
 from .folder import HomeFolder
 from .home import FurnishedHome, furnish_home
 from .jobs import DRAWS, FurnishedRoom
-from .planning import plan_home
+from .planning import ChosenPlan, plan_home
 from .result import HomeResult
 
 TIME = 600.0
@@ -42,9 +42,6 @@ WALKS = 2
 
 PLANS, FILES = 0.25, 0.3
 """Shares of the time that plans may take, and that is kept for files and pictures."""
-
-ENVELOPES = 3
-"""Envelopes that are tried where the first one that was chosen takes no valid plan."""
 
 
 def design_home(
@@ -122,7 +119,7 @@ def design_home(
     if not prompt.strip() and programme is None:
         raise InputError("prompt: is empty; say what home is wanted, or give a programme")
     limit = Deadline(started + (seconds or math.inf), stop=stop or Stop())
-    asked = _Asked.of(prompt, programme, envelope, profile)
+    asked = Asked.of(prompt, programme, envelope, profile)
     folder = HomeFolder(Path(out)) if out is not None else None
     rooms = {"steps": steps, "candidates": candidates, "clutter": clutter, "draws": draws}
     run = _Run(asked, seed, device, workers, plans, rooms, limit, folder, said, library)
@@ -157,61 +154,11 @@ def _total(seconds: Mapping[str, float], started: float) -> dict[str, float]:
     return {**seconds, "total": round(time.monotonic() - started, 3)}
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What is asked for: a programme with what its rooms are to hold, and what the plan fits into."""
-
-    prompt: str
-    programme: Programme
-    profile: str
-    envelope: Envelope | None
-    request: HomeRequest | None
-
-    @classmethod
-    def of(cls, prompt: str, programme: Programme | None, envelope: Envelope | None, profile: str | None) -> _Asked:
-        request = read_home(prompt) if prompt.strip() and programme is None else None
-        made = programme or (request.programme if request is not None else None)
-        assert made is not None
-        rules = profile or (request.profile if request is not None else "base")
-        return cls(prompt, made, rules, envelope, request)
-
-    def envelope_of(self, programme: Programme, seed: int) -> Envelope:
-        """What a plan of the programme has to fit into."""
-        if self.envelope is not None:
-            return self.envelope
-        if self.request is not None:
-            return replace(self.request, programme=programme).envelope(seed)
-        return envelope_for(programme, seed)
-
-    def told(self, home: Home) -> dict[str, str]:
-        """By room, what the request says of it."""
-        return told_requests(self.request, home, told_only=True) if self.request is not None else {}
-
-    def unmet(self, home: Home) -> list[str]:
-        """What the request asks for and the finished home, measured anew, does not have."""
-        found = demands(self.request, home) if self.request is not None else ()
-        return [f"{one.words}: {one.status}, {one.detail}" for one in found if one.status != "met"]
-
-    @property
-    def style(self) -> str:
-        """The words for the look of all rooms, as a request."""
-        styles = " ".join(self.request.styles) if self.request is not None else ""
-        return f"a {styles} home" if styles else "a home"
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was assumed of the request."""
-        if self.request is None:
-            return ()
-        unread = [f"not understood: {word.words}" for word in self.request.unread]
-        return (*self.request.assumed, *self.request.notes, *unread)
-
-
 @dataclass
 class _Run:
     """A request on its way to a home."""
 
-    asked: _Asked
+    asked: Asked
     seed: int
     device: str
     workers: int | None
@@ -226,7 +173,7 @@ class _Run:
 
     def go(self, started: float) -> HomeResult:
         """Plan, furnish, and go back to the plan where that does not hold what it has to."""
-        programme, raises = furnishable(self.asked.programme, self._texts())
+        programme, raises = furnishable(self.asked.programme, self.asked.texts)
         first, home = 0, None
         if self.folder is not None:
             had = self.folder.begin(self._key)
@@ -304,10 +251,6 @@ class _Run:
             "rooms": dict(self.rooms),
         }
 
-    def _texts(self) -> dict[str, str]:
-        request = self.asked.request
-        return told_requests(request, told_only=True) if request is not None else {}
-
     def _say(self, *lines: str) -> None:
         for line in lines:
             self.log.append(line)
@@ -318,27 +261,23 @@ class _Run:
         self.spent[name] = round(self.spent.get(name, 0.0) + time.monotonic() - began, 3)
 
     def _planned(self, programme: Programme, round_: int) -> Home:
-        """The plan of a programme; of several envelopes that are ours to choose, the first that takes one."""
-        began, wrong = time.monotonic(), None
-        for k in range(1 if self.asked.envelope is not None else ENVELOPES):
+        """The plan of a programme."""
+        began = time.monotonic()
+
+        def solved(envelope: Envelope) -> ChosenPlan:
             left = self.limit.left
-            try:
-                chosen = plan_home(
-                    programme,
-                    self.asked.envelope_of(programme, self.seed + k),
-                    seed=self.seed,
-                    profile=self.asked.profile,
-                    candidates=self.plans,
-                    device=self.device,
-                    time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
-                    prompt=self.asked.prompt,
-                )
-                break
-            except InputError as error:
-                wrong = wrong or error
-        else:
-            assert wrong is not None
-            raise wrong
+            return plan_home(
+                programme,
+                envelope,
+                seed=self.seed,
+                profile=self.asked.profile,
+                candidates=self.plans,
+                device=self.device,
+                time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
+                prompt=self.asked.prompt,
+            )
+
+        chosen = self.asked.fitted(programme, self.seed, solved)
         self._lap("plan", began)
         short = "".join(f"; {name} lacks {more:.2f} m of wall" for name, more in chosen.lacking.items())
         self._say(
