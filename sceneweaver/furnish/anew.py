@@ -38,8 +38,8 @@ def refurnish(
         >>> [room.id for room in done.home.rooms if room.scene is not None]
         ['hall']
     """
-    planned = home.provenance.get("tool") == "solve_plans" and home.prompt.strip() != ""
-    asked = Asked.of(home.prompt, None, None, None) if planned or is_home(home.prompt) else None
+    told = home.prompt.strip() != "" and (home.provenance.get("tool") == "solve_plans" or is_home(home.prompt))
+    asked = Asked.of(home.prompt, None, None, None) if told else None
     had = {room.id: room.scene.prompt for room in home.rooms if room.scene is not None and room.scene.prompt}
     texts = {**(asked.told(home) if asked is not None else {}), **had}
     texts |= {name: words for name, words in (requests or {}).items() if words.strip()}

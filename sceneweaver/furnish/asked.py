@@ -9,7 +9,7 @@ from typing import TypeVar
 from sceneweaver.home import Home
 from sceneweaver.language.homes import HomeRequest, demands, read_home
 from sceneweaver.language.homes import room_requests as told_requests
-from sceneweaver.plans import Envelope, Programme, envelope_for
+from sceneweaver.plans import Envelope, Profile, Programme, envelope_for
 from sceneweaver.scene import InputError
 
 ENVELOPES = 3
@@ -38,11 +38,16 @@ class Asked:
 
     @classmethod
     def of(cls, prompt: str, programme: Programme | None, envelope: Envelope | None, profile: str | None) -> Asked:
-        """What a request in words, or a programme, asks for; what else is given goes before what the words say."""
+        """What a request in words, or a programme, asks for; what else is given goes before what the words say.
+
+        Raises:
+            InputError: for words that say nothing, and a profile that is not known.
+        """
         request = read_home(prompt) if prompt.strip() and programme is None else None
         made = programme or (request.programme if request is not None else None)
         assert made is not None
         rules = profile or (request.profile if request is not None else "base")
+        Profile.named(rules)  # refused before a folder is made
         return cls(prompt, made, rules, envelope, request)
 
     def envelope_of(self, programme: Programme, seed: int) -> Envelope:

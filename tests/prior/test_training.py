@@ -73,13 +73,23 @@ SIZES = {"wide": 32, "deep": 1, "heads": 2, "slim": 32, "steps": 1, "eyes": 2}
 SHAPE = Shape(len(WORDS.categories), len(WORDS.kinds), len(WORDS.relations), **SIZES)
 
 
-@pytest.mark.parametrize(("steps", "ends"), [(2, [2]), (5, [3, 5]), (3, [3])])
-def test_exactly_so_many_steps_are_made(data, monkeypatch, steps, ends):
-    monkeypatch.setattr(training, "CHUNK", 3)
+def exact(data, steps, ends):
+    """A training of so many steps hands out states after ``ends``, and Adam has counted them."""
     made = [(now(), step) for now, _, step in train(data, SHAPE, RECIPE, seed=3, steps=steps)]
     assert [step for _, step in made] == ends == [state.step for state, _ in made]
-    counts = [int(m) for m in made[-1][0].moments if m.shape == () and m.dtype.kind == "i"]  # those of Adam
+    counts = [int(m) for m in made[-1][0].moments if m.shape == () and m.dtype.kind == "i"]
     assert counts and set(counts) == {steps}
+
+
+def test_fewer_steps_than_a_chunk_has_are_just_so_many(data):
+    exact(data, 2, [2])
+
+
+@pytest.mark.slow
+def test_the_last_chunk_is_as_short_as_is_left(data, monkeypatch):
+    monkeypatch.setattr(training, "CHUNK", 3)
+    exact(data, 5, [3, 5])
+    exact(data, 3, [3])
 
 
 @pytest.mark.slow
