@@ -46,16 +46,14 @@ def render_home_file(
     "overview"; for a folder "all", or one.
     """
     home = Home.load(source)
-    from sceneweaver.render.home import draw_plan, home_pictures, home_views, plan_picture
+    from sceneweaver.render.home import draw_plan, home_pictures, home_view, plan_picture
 
-    known = home_views(home)
-    short = {name.partition("_")[0]: name for name in reversed(known) if not name.startswith("walk")}
-    name, kind = short.get(view, view), out.suffix.lower()
+    name, kind = view if view == "all" else home_view(home, view), out.suffix.lower()
     if view == "all" and kind in (".svg", ".png"):
         raise InputError(f"--out: {out} holds one picture; for all of them give a folder")
-    if kind == ".svg" and not (name in known and name.startswith(PLAN)):
+    if kind == ".svg" and not name.startswith(PLAN):
         raise InputError(f"--view: '{view}' is no drawing; write a plan as SVG, and pictures as PNG")
-    storey = name.removeprefix(f"{PLAN}_") if name in known and name.startswith(PLAN) else None
+    storey = name.removeprefix(f"{PLAN}_") if name.startswith(PLAN) else None
     written: list[Path] = []
 
     def save(picture: Any, target: Path) -> None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 import random
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import nullcontext
+from collections.abc import Callable, Mapping
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, get_args
 
@@ -15,18 +16,18 @@ from sceneweaver.assets import Library
 from sceneweaver.export import format_named, formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
-from sceneweaver.language.homes import HomeRequest, demands, is_home, read_home
-from sceneweaver.language.homes import room_requests as told_requests
-from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan, envelope_for, feasible, totalled
+from sceneweaver.language.homes import is_home
+from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.options import PictureSet
 from sceneweaver.scene import InputError
 from sceneweaver.verify.home import HomeReport, check_home
 
+from .asked import Asked
 from .deliver import deliver
-from .demands import furnishable, raised
+from .demands import raised
 from .folder import HomeFolder, digest
-from .giving_way import areas_asked, missed, softer
+from .giving_way import missed, softer
 from .home import FurnishedHome, furnish_home
 from .jobs import DRAWS, FurnishedRoom, RoomJob
 from .planning import ChosenPlan, plan_home
@@ -44,9 +45,6 @@ WALKS = 2
 
 PLANS, FILES = 0.25, 0.3
 """Shares of the time that plans may take, and that is kept for files and pictures."""
-
-ENVELOPES = 3
-"""Envelopes that are tried where the first one that was chosen takes no valid plan."""
 
 FEWER = 4
 """By how much fewer plans are searched for at once of each programme that asks for less."""
@@ -127,7 +125,7 @@ def design_home(
     if not prompt.strip() and programme is None:
         raise InputError("prompt: is empty; say what home is wanted, or give a programme")
     limit = Deadline(started + (seconds or math.inf), stop=stop or Stop())
-    asked = _Asked.of(prompt, programme, envelope, profile)
+    asked = Asked.of(prompt, programme, envelope, profile)
     folder = HomeFolder(Path(out)) if out is not None else None
     rooms = {"steps": steps, "candidates": candidates, "clutter": clutter, "draws": draws}
     drawn = {"library": library} if library is not None else {}
@@ -166,71 +164,11 @@ def _total(seconds: Mapping[str, float], started: float) -> dict[str, float]:
     return {**seconds, "total": round(time.monotonic() - started, 3)}
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What is asked for: a programme with what its rooms are to hold, and what the plan fits into."""
-
-    prompt: str
-    programme: Programme
-    profile: Profile
-    envelope: Envelope | None
-    request: HomeRequest | None
-
-    @classmethod
-    def of(cls, prompt: str, programme: Programme | None, envelope: Envelope | None, profile: str | None) -> _Asked:
-        request = read_home(prompt) if prompt.strip() and programme is None else None
-        made = programme or (request.programme if request is not None else None)
-        assert made is not None
-        rules = Profile.of(profile or "base") if profile or request is None else request.rules
-        return cls(prompt, made, rules, envelope, request)
-
-    @property
-    def areas(self) -> frozenset[str]:
-        """Ids of the rooms whose area was asked for."""
-        return areas_asked(self.request, self.programme)
-
-    @property
-    def outside(self) -> tuple[str, ...]:
-        """Ids of the rooms that are to have a door outside."""
-        return tuple(room.id for room in self.request.rooms if room.outside) if self.request is not None else ()
-
-    def envelope_of(self, programme: Programme, seed: int, own: bool = False) -> Envelope:
-        """What a plan of the programme has to fit into; ``own``: whatever sides were asked for."""
-        if self.envelope is not None:
-            return self.envelope
-        if self.request is not None and not own:
-            return replace(self.request, programme=programme).envelope(seed)
-        return envelope_for(programme, seed)
-
-    def told(self, home: Home) -> dict[str, str]:
-        """By room, what the request says of it."""
-        return told_requests(self.request, home, told_only=True) if self.request is not None else {}
-
-    def unmet(self, home: Home) -> list[str]:
-        """What the request asks for and the finished home, measured anew, does not have."""
-        found = demands(self.request, home) if self.request is not None else ()
-        return [f"{one.words}: {one.status}, {one.detail}" for one in found if one.status != "met"]
-
-    @property
-    def style(self) -> str:
-        """The words for the look of all rooms, as a request."""
-        styles = " ".join(self.request.styles) if self.request is not None else ""
-        return f"a {styles} home" if styles else "a home"
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What was assumed of the request."""
-        if self.request is None:
-            return ()
-        unread = [f"not understood: {word.words}" for word in self.request.unread]
-        return (*self.request.assumed, *self.request.notes, *unread)
-
-
 @dataclass
 class _Run:
     """A request on its way to a home."""
 
-    asked: _Asked
+    asked: Asked
     seed: int
     device: str
     pool: RoomPool
@@ -247,7 +185,7 @@ class _Run:
     def go(self, started: float) -> HomeResult:
         """Plan, furnish, and go back to the plan where that does not hold what it has to."""
         self.pool.begin(len(self.asked.programme.rooms))
-        programme, raises = self._possible()
+        programme, raises = self.asked.possible()
         first, home = 0, None
         if self.folder is not None:
             had = self.folder.begin(self._key)
@@ -312,15 +250,6 @@ class _Run:
             (f"rooms: {done.cut_off}",) if done.cut_off else (),
         )
 
-    def _possible(self) -> tuple[Programme, tuple[str, ...]]:
-        """The programme as rules and furniture allow it, and what gave way."""
-        asked = self.asked
-        possible, raises = feasible(asked.programme, asked.profile, asked.areas)
-        programme, more = furnishable(possible, self._texts(), asked.areas)
-        if asked.request is not None and asked.request.area is not None:
-            programme = totalled(programme, asked.request.area, asked.areas, asked.profile)
-        return programme, (*raises, *more)
-
     @property
     def _key(self) -> dict[str, Any]:
         asked = self.asked
@@ -335,10 +264,6 @@ class _Run:
             "rooms": dict(self.rooms),
         }
 
-    def _texts(self) -> dict[str, str]:
-        request = self.asked.request
-        return told_requests(request, told_only=True) if request is not None else {}
-
     def _say(self, *lines: str) -> None:
         for line in lines:
             self.log.append(line)
@@ -351,24 +276,18 @@ class _Run:
     def _planned(self, programme: Programme, round_: int) -> tuple[Home, Programme]:
         """The plan of a programme, and that programme, or one that asks for less where it has no plan."""
         began = time.monotonic()
-        tries = 1 if self.asked.envelope is not None else ENVELOPES
         try:
-            chosen = self._first_of([self.asked.envelope_of(programme, self.seed + k) for k in range(tries)], programme)
+            chosen = self.asked.fitted(programme, self.seed, partial(self._solved, programme, self.plans))
         except InputError as error:
-            chosen, wrong = None, error
+            chosen, wrong, fewer = None, error, max(1, self.plans // FEWER)
             for step in softer(programme, self.asked.request) if not round_ else ():
                 if self.limit.passed or self.limit.stop.reason:
                     break
                 self._say(step.line)
-                try:
-                    fits = self.asked.envelope_of(step.programme, self.seed, step.own_envelope)
-                    chosen, programme = (
-                        self._first_of([fits], step.programme, max(1, self.plans // FEWER)),
-                        step.programme,
-                    )
+                fits = self.asked.envelope_of(step.programme, self.seed, step.own_envelope)
+                with suppress(InputError):
+                    chosen, programme = self._solved(step.programme, fewer, fits), step.programme
                     break
-                except InputError:
-                    continue
             if chosen is None:
                 raise wrong from None
         self._lap("plan", began)
@@ -380,31 +299,24 @@ class _Run:
         self._keep_plan(chosen.home, programme, round_)
         return chosen.home, programme
 
-    def _first_of(self, envelopes: Sequence[Envelope], programme: Programme, plans: int | None = None) -> ChosenPlan:
-        """The plan in the first of some envelopes that takes one.
+    def _solved(self, programme: Programme, plans: int, envelope: Envelope) -> ChosenPlan:
+        """The best of so many plans of a programme in an envelope.
 
         Raises:
-            InputError: none does; what is wrong in the first of them.
+            InputError: none is valid.
         """
-        wrong: InputError | None = None
-        for envelope in envelopes:
-            left = self.limit.left
-            try:
-                return plan_home(
-                    programme,
-                    envelope,
-                    seed=self.seed,
-                    profile=self.asked.profile,
-                    candidates=plans or self.plans,
-                    device=self.device,
-                    time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
-                    prompt=self.asked.prompt,
-                    outside=self.asked.outside,
-                )
-            except InputError as error:
-                wrong = wrong or error
-        assert wrong is not None
-        raise wrong
+        left = self.limit.left
+        return plan_home(
+            programme,
+            envelope,
+            seed=self.seed,
+            profile=self.asked.profile,
+            candidates=plans,
+            device=self.device,
+            time_limit=None if math.isinf(left) else max(1.0, PLANS * left),
+            prompt=self.asked.prompt,
+            outside=self.asked.outside,
+        )
 
     def _keep_plan(self, home: Home, programme: Programme, round_: int) -> None:
         """Write what a run that is cut off goes on from."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -78,6 +78,7 @@ def furnish_home(
     home: Home,
     requests: Mapping[str, str] | None = None,
     *,
+    only: Collection[str] | None = None,
     seed: int = 0,
     seeds: Mapping[str, int] | None = None,
     prompt: str = "",
@@ -102,6 +103,8 @@ def furnish_home(
         home: the plan. Rooms that are furnished already are furnished anew.
         requests: by id of a room, what it is to hold, in words; the others are furnished as such rooms usually are,
             so that the home as a whole lacks nothing, see `room_requests`.
+        only: ids of the rooms that are furnished; the others stay as they are, and what they hold is not had twice.
+            None: all.
         seed: equal seeds give equal homes.
         seeds: by id, seeds of rooms that differ from those that follow from ``seed``.
         prompt: the request for the whole home; its style and colours are those of all rooms.
@@ -117,7 +120,7 @@ def furnish_home(
         options: of `sceneweaver.design` for each room: steps, candidates, clutter, settle, library.
 
     Raises:
-        InputError: for a room that the home has not, or options out of range.
+        InputError: for a room that the home has not, one of ``only`` that stays empty, or options out of range.
 
     Examples:
         >>> import sceneweaver as sw
@@ -128,7 +131,7 @@ def furnish_home(
         (True, ['coat_rack'])
     """
     began = time.monotonic()
-    for name in requests or {}:
+    for name in (*(requests or {}), *(only or ())):
         home.room(name)
     if workers is not None and workers < 1:
         raise InputError(f"workers: {workers} is too few; give at least 1, or leave it out for one a core")
@@ -137,7 +140,12 @@ def furnish_home(
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit: {time_limit:g} is no time; give seconds above 0, or leave it out")
     deadline = Deadline(began + (time_limit or math.inf), stop=stop or Stop())
-    scheme, jobs = room_jobs(home, requests, seed=seed, prompt=prompt, device=device, **options)
+    others = [room for room in home.rooms if only is not None and room.id not in only]
+    had = {room.id: room.scene.prompt for room in others if room.scene is not None and room.scene.prompt}
+    scheme, jobs = room_jobs(home, {**had, **(requests or {})}, seed=seed, prompt=prompt, device=device, **options)
+    jobs = [job for job in jobs if only is None or job.room_id in only]
+    for name in sorted({*(only or ())} - {job.room_id for job in jobs}):
+        raise InputError(f"only: {name} is a {home.room(name).type}, which stays empty; leave it out")
     jobs = [replace(job, seed=(seeds or {}).get(job.room_id, job.seed), draws=draws) for job in jobs]
     done = {job.room_id: room for job in jobs if kept is not None and (room := kept(job)) is not None}
     left = [job for job in jobs if job.room_id not in done]
@@ -152,7 +160,7 @@ def furnish_home(
             if said is not None:
                 said(room)
     rooms = {job.room_id: done[job.room_id] for job in jobs}
-    scenes = {name: room.scene for name, room in rooms.items()}
+    scenes = {room.id: room.scene for room in others} | {name: room.scene for name, room in rooms.items()}
     furnished = home.with_changes(
         rooms=tuple(room.model_copy(update={"scene": scenes.get(room.id)}) for room in home.rooms)
     )
@@ -189,9 +197,14 @@ def room_jobs(
         floor = scheme.floor_of(kind, outdoor=home.room(name).outdoor, opens_to_dry=_opens_to_dry(home, name))
         bare = home.shell(name).model_copy(update={"type": kind.name})
         shell = scheme.shell(bare, kind, brief, floor)
-        own = random.Random(f"room {name} of a home {seed}").randrange(2**32)
-        jobs.append(RoomJob(name, text, shell, scheme.look(kind, brief), own, {"device": device, **options}))
+        own, given = room_seed(name, seed), {"device": device, **options}
+        jobs.append(RoomJob(name, text, shell, scheme.look(kind, brief), own, given))
     return scheme, jobs
+
+
+def room_seed(room_id: str, seed: int) -> int:
+    """The seed of a room that follows from that of its home."""
+    return random.Random(f"room {room_id} of a home {seed}").randrange(2**32)
 
 
 def _opens_to_dry(home: Home, room_id: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from sceneweaver.home import Home
 from sceneweaver.plans import Envelope, PlanReport, Profile, Programme, check_plan
@@ -64,6 +65,27 @@ def plan_home(
     Raises:
         InputError: no plan is valid; it says which rules stand against it.
     """
+    options: dict[str, Any] = {"profile": profile, "candidates": candidates, "device": device, "time_limit": time_limit}
+    return rank_plans(programme, envelope, seed=seed, prompt=prompt, outside=outside, **options)[0]
+
+
+def rank_plans(
+    programme: Programme,
+    envelope: Envelope,
+    *,
+    seed: int = 0,
+    profile: Profile | str = "base",
+    candidates: int = 4096,
+    device: str = "auto",
+    time_limit: float | None = None,
+    prompt: str = "",
+    outside: Collection[str] = (),
+) -> list[ChosenPlan]:
+    """The valid plans among the best of each topology, best first by the measure of `plan_home`.
+
+    Raises:
+        InputError: as `plan_home`.
+    """
     solution = solve_plans(
         programme, envelope, candidates=candidates, seed=seed, profile=profile, device=device, time_limit=time_limit
     )
@@ -85,14 +107,17 @@ def plan_home(
         found.append((round(cost, 6), number, home, report, lacking))
     if not found:
         raise InputError(f"programme: no plan keeps all rules: {broken or solution.explanation or 'none was found'}")
-    _, _, home, report, lacking = min(found, key=lambda row: row[:2])
-    changes = {"prompt": prompt, "provenance": {**home.provenance, "tool": "solve_plans", "seed": seed}}
-    return ChosenPlan(
-        home.with_changes(**changes),
-        report,
-        lacking,
-        len(solution.valid),
-        len(found),
-        envelope,
-        round(float(solution.elapsed), 3),
-    )
+    seconds = round(float(solution.elapsed), 3)
+    made = {"tool": "solve_plans", "seed": seed}
+    return [
+        ChosenPlan(
+            home.with_changes(prompt=prompt, provenance={**home.provenance, **made}),
+            report,
+            lacking,
+            len(solution.valid),
+            len(found),
+            envelope,
+            seconds,
+        )
+        for _, _, home, report, lacking in sorted(found, key=lambda row: row[:2])
+    ]

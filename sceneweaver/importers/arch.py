@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from .entries import Entry
 from .model import SourceOpening
 from .plans import along
+from .values import Entry
 
 Outline = tuple[tuple[float, float], ...]
 

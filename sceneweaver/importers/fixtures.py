@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .categories import category_of
-from .entries import Entry
 from .fixture_models import FixtureModels
 from .sizes import usual_size
+from .values import Entry
 
 SHELL = ("wall", "floor")
 SAMPLED = "placement"

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sceneweaver.io.messages import shorten
 
-from .entries import LARGEST, Entry
+from .values import FARTHEST, Entry
 
 _TOKEN = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|[A-Za-z_][A-Za-z_0-9.]*|[()\[\],])")
 _KNOWN = {"box": "box", "polygon": "Polygon", "linestring": "LineString"}
@@ -90,8 +90,8 @@ def _list(entry: Entry, tokens: list[str], at: int, close: str, depth: int) -> t
             value, at = _list(entry, tokens, at + 1, ")" if token == "(" else "]", depth + 1)
         elif token[0].isdigit() or token[0] in "+-.":
             value, at = float(token), at + 1
-            if abs(value) > LARGEST:
-                raise entry.error(f"{token} lies beyond {LARGEST:g} m")
+            if abs(value) > FARTHEST:
+                raise entry.error(f"{token} lies beyond {FARTHEST:g} m")
         else:
             raise entry.error(f"{shorten(token, 40)!r} stands where a number has to; only numbers and lists are read")
         values.append(value)

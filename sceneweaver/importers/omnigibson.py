@@ -9,7 +9,7 @@ import numpy as np
 from sceneweaver.io import load_json
 from sceneweaver.io.references import named_inside
 
-from .entries import Entry
+from .values import Entry
 
 
 def metadata(folder: Path | None, category: str, model: str) -> Entry | None:

@@ -9,8 +9,8 @@ from pathlib import Path
 from sceneweaver.io import load_packed_json
 from sceneweaver.io.references import named_inside
 
-from .entries import Entry
 from .sizes import Size
+from .values import Entry
 
 _DATABASES = ("asset-database.json", "asset_database.json", "annotations.json.gz", "annotations.json", "assets.json")
 _ONE = ("{0}/annotations.json.gz", "{0}/annotations.json", "{0}/{0}.json.gz", "{0}/{0}.json", "{0}.json.gz", "{0}.json")

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .entries import Entry
 from .model import SourceOpening
 from .plans import Outline, along, holds, on_wall
+from .values import Entry
 
 
 def wall_heights(house: Entry) -> dict[str, float]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel, Field
 
+from .answers_homes import OpenHome
 from .differences import Difference
 
 Size = tuple[float, float, float]
@@ -158,15 +159,19 @@ class OpenScene(BaseModel):
 
 
 class SceneList(BaseModel):
-    """Scenes that are open, and scenes that can be."""
+    """Scenes and homes that are open, and those that can be."""
 
     open: list[OpenScene]
     files: list[str] = Field(description="Scene files below the server's folder")
     examples: list[str] = Field(description="Scenes that ship with sceneweaver; open takes their names")
+    homes: list[OpenHome] = Field(description="Homes that are open")
+    home_files: list[str] = Field(description="Files of homes below the server's folder")
+    home_examples: list[str] = Field(description="Homes that ship with sceneweaver; open_home takes their names")
+    programmes: list[str] = Field(description="Programmes that ship with sceneweaver; plan_home takes their names")
 
 
 class Closed(BaseModel):
-    """A scene that is no longer open; its files stay."""
+    """A scene or home that is no longer open; its files stay."""
 
     scene: str
     versions: int

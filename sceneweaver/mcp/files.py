@@ -21,7 +21,11 @@ LEDGER = ".sceneweaver-mcp.json"
 MOST_NOTED = 20_000
 """Files that the ledger remembers, the latest."""
 
-RUN = "sceneweaver.run/1"
+RUNS = {"state.json": "sceneweaver.run/1", "run.json": "sceneweaver.home-run/1"}
+"""Files of the state of a design of a room, and of a home, with the schemas that they name."""
+
+FIRST = {"steps", "rooms"}
+"""Folders that a design makes before it writes its state."""
 
 
 class Files:
@@ -120,18 +124,22 @@ def tidy(folder: Path) -> None:
     """Clear away what a process that was ended in the middle has left in a folder: temporary files, and its lock."""
     if folder.is_dir():
         with contextlib.suppress(OSError, InputError):
-            for each in (folder, folder / "views", *folder.glob("steps/*")):
+            for each in (folder, folder / "views", *folder.glob("steps/*"), *folder.glob("rooms/*")):
                 sweep(each)
-            with locked(folder / "scene.json", "the folder"):
-                pass
+            for name in ("scene.json", "home.json"):
+                with locked(folder / name, "the folder"):
+                    pass
 
 
 def _is_run(folder: Path) -> bool:
+    there = [name for name in RUNS if (folder / name).exists()]
+    if not there:
+        return {p.name for p in folder.iterdir()} <= FIRST  # a run that ended before its first step
     try:
-        data = parse_json(read_bytes(folder / "state.json"))
+        data = parse_json(read_bytes(folder / there[0]))
     except InputError:
-        return {p.name for p in folder.iterdir()} <= {"steps"}  # a run that ended before its first step
-    return isinstance(data, dict) and data.get("schema") == RUN
+        return False
+    return isinstance(data, dict) and data.get("schema") == RUNS[there[0]]
 
 
 def _files_below(folder: Path) -> list[Path]:

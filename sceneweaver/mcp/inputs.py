@@ -13,6 +13,10 @@ from sceneweaver.scene.limits import MOST_TURN
 from .limits import LEAST_SIDE, MOST_CANDIDATES, MOST_PROMPT, MOST_SECONDS, MOST_SIDE, MOST_WAY
 
 SceneId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene, such as s1")]
+HomeId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open home, such as h1")]
+OpenId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene or home: s1, h1")]
+RoomId = Annotated[str, Field(min_length=1, max_length=200, description="Id of a room of the home, such as kitchen")]
+Profile = Annotated[str, Field(min_length=1, max_length=60, description="Rules of plans: base, accessible ...")]
 ObjectId = Annotated[str, Field(min_length=1, max_length=200, description="Id of an object, such as desk-0")]
 Name = Annotated[str, Field(min_length=1, max_length=400, description="Name below the server's folder")]
 Prompt = Annotated[str, Field(min_length=1, max_length=MOST_PROMPT, description="The room, in plain English")]

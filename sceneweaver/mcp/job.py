@@ -27,3 +27,8 @@ def report_of(scene: Scene) -> dict[str, Any]:
     from sceneweaver.verify import check
 
     return check(scene).to_dict()
+
+
+def drawing_device(device: str) -> str:
+    """Where pictures are drawn by who computes on a device: one GPU that is named, else the CPU."""
+    return {"cuda": "cuda:0"}.get(device, device if device[5:].isdigit() else "cpu")

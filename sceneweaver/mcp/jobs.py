@@ -10,7 +10,8 @@ from typing import Any
 
 from sceneweaver.scene import Scene
 
-from .job import Job, report_of
+from . import jobs_homes
+from .job import Job, drawing_device, report_of
 from .jobs_edits import edit, exact
 
 EXPLAINED_BY = 64
@@ -122,8 +123,7 @@ def render(
     drawn = [view for view in views if view != "plan"]
     for k, view in enumerate(drawn):
         job.say(k, len(drawn), f"drawing {view}")
-        device = {"cuda": "cuda:0"}.get(job.device, job.device if job.device[5:].isdigit() else "cpu")
-        pictures |= draw_rooms(scene, None, (view,), width, height, device=device)
+        pictures |= draw_rooms(scene, None, (view,), width, height, device=drawing_device(job.device))
     out = []
     for view in views:
         content = io.BytesIO()
@@ -160,8 +160,8 @@ def _lines(text: str | None) -> list[str]:
 
 JOBS: Mapping[str, Callable[..., Any]] = {
     each.__name__: each for each in (design, edit, exact, check, refine, repair, explain, render, export, furniture)
-}
+} | jobs_homes.JOBS
 """All jobs by name."""
 
-LONG_RUNNERS = ("design",)
+LONG_RUNNERS = ("design", *jobs_homes.LONG_RUNNERS)
 """Jobs that watch their time and their stop themselves, and end in good order."""

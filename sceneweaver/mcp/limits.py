@@ -13,6 +13,12 @@ MOST_CANDIDATES = 65536
 MOST_SCENE = 8 * 2**20
 """Bytes of a scene file that is opened."""
 
+MOST_HOME = 64 * 2**20
+"""Bytes of a file of a home that is opened."""
+
+MOST_PLANS = 12
+"""Plans of one search that are kept."""
+
 MOST_LISTED = 60
 """Violations, moves and the like in one answer; the report has them all."""
 
@@ -47,8 +53,8 @@ class Limits:
 
     Attributes:
         seconds: of one call.
-        scenes: open at once.
-        versions: kept of a scene.
+        scenes: open at once, and as many homes.
+        versions: kept of a scene or a home.
         waiting: calls that may wait for a process to be free.
     """
 

@@ -12,6 +12,7 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult, ContentBlock, TextContent
 from pydantic import BaseModel
 
+from sceneweaver.home import Home
 from sceneweaver.scene import InputError, Scene
 
 from .answers import RoomFacts, SceneState, Thing
@@ -40,12 +41,14 @@ class Service:
     device: str
     llm: Mapping[str, Any] | None = None
     files: Files = field(init=False)
-    handles: Handles = field(init=False)
+    handles: Handles[Scene] = field(init=False)
+    homes: Handles[Home] = field(init=False)
     workers: Workers = field(init=False)
 
     def __post_init__(self) -> None:
         self.files = Files(self.folder)
-        self.handles = Handles(self.limits)
+        self.handles = Handles(self.limits, "scene", "; it is a home: take the tools for homes, or open_room first")
+        self.homes = Handles(self.limits, "home", "; it is a scene: take the tools for scenes")
         self.workers = Workers(self.device, self.limits)
 
     def seconds(self, wanted: float | None, usual: float) -> float:
@@ -66,20 +69,20 @@ class Service:
         return await self.workers.long.run(job, arguments, Progress(context), seconds=seconds, folder=folder)
 
     async def changed(
-        self, context: Context, handle: Handle, before: Version, result: Mapping[str, Any], change: str
+        self, context: Context, handle: Handle[Scene], before: Version[Scene], result: Mapping[str, Any], change: str
     ) -> CallToolResult:
         """The answer to a change, which becomes a version unless it left the scene as it was."""
         version = before
-        if result["scene"] != before.scene:
+        if result["scene"] != before.content:
             version = handle.add(result["scene"], result["report"], change)
             await context.notify_resource_updated(uri_of(handle))
         else:
             change = f"{change}: nothing changed"
-        state = SceneState(**self.state(handle, version, before.scene, change, result["notes"]))
+        state = SceneState(**self.state(handle, version, before.content, change, result["notes"]))
         return answer(state, state_text(state))
 
     def state(
-        self, handle: Handle, version: Version, before: Scene | None, change: str, notes: list[str]
+        self, handle: Handle[Scene], version: Version[Scene], before: Scene | None, change: str, notes: list[str]
     ) -> dict[str, Any]:
         """The fields of a `SceneState`."""
         return {
@@ -89,15 +92,15 @@ class Service:
             "valid": version.report["valid"],
             "violations": faults(version.report, True, MOST_LISTED),
             "soft": faults(version.report, False, MOST_LISTED),
-            "difference": difference(before or version.scene, version.scene),
+            "difference": difference(before or version.content, version.content),
             "notes": [self.folder.without_paths(note) for note in notes],
             "resource": uri_of(handle),
         }
 
-    def opened(self, handle: Handle, notes: list[str]) -> dict[str, Any]:
+    def opened(self, handle: Handle[Scene], notes: list[str]) -> dict[str, Any]:
         """The fields of an `OpenedScene`."""
         version = handle.current
-        return self.state(handle, version, None, version.change, notes) | facts_of(version.scene)
+        return self.state(handle, version, None, version.change, notes) | facts_of(version.content)
 
 
 class Progress:
@@ -118,9 +121,9 @@ def answer(data: BaseModel, text: str, *more: ContentBlock) -> CallToolResult:
     return CallToolResult(content=content, structured_content=data.model_dump(mode="json"))
 
 
-def uri_of(handle: Handle) -> str:
-    """The resource of an open scene."""
-    return f"scene://{handle.id}"
+def uri_of(handle: Handle[Any]) -> str:
+    """The resource of an open scene or home."""
+    return f"{'home' if handle.id.startswith('h') else 'scene'}://{handle.id}"
 
 
 def facts_of(scene: Scene) -> dict[str, Any]:

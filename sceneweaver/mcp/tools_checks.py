@@ -43,7 +43,7 @@ class CheckTools:
         async with handle.changing:
             before = handle.current
             options = {"init": init, "candidates": candidates, "seed": seed}
-            result = await self.service.long(context, "refine", seconds, scene=before.scene, **options)
+            result = await self.service.long(context, "refine", seconds, scene=before.content, **options)
             change = f"refined, {result['valid']} of {candidates} layouts valid"
             return await self.service.changed(context, handle, before, result, change)
 
@@ -60,7 +60,7 @@ class CheckTools:
         async with handle.changing:
             before = handle.current
             options = {"relations": relations, "seed": seed}
-            result = await self.service.long(context, "repair", seconds, scene=before.scene, **options)
+            result = await self.service.long(context, "repair", seconds, scene=before.content, **options)
             return await self.service.changed(context, handle, before, result, "repaired")
 
     async def check(
@@ -77,7 +77,7 @@ class CheckTools:
         handle = self.service.handles.get(scene)
         one = handle.get(version)
         options = {"physics": physics, "openable": openable}
-        report = await self.service.quick(context, "check", scene=one.scene, **options)
+        report = await self.service.quick(context, "check", scene=one.content, **options)
         found = Checked(
             scene=handle.id,
             version=one.number,
@@ -108,7 +108,7 @@ class CheckTools:
         valid, possible = bool(one.report["valid"]), None
         lines = ["the scene is valid; there is nothing to explain"] if valid else faults(one.report, True, MOST_LISTED)
         if not valid:
-            found = await self.service.long(context, "explain", seconds, scene=one.scene, seed=seed)
+            found = await self.service.long(context, "explain", seconds, scene=one.content, seed=seed)
             possible = found["found"] > 0 if found["found"] or not found["timed_out"] else None
             lines += found["lines"]
             if possible:

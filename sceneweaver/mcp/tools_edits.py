@@ -159,5 +159,5 @@ class EditTools:
         async with handle.changing:
             before = handle.current
             job = "exact" if exact else "edit"
-            result = await self.service.quick(context, job, scene=before.scene, op=op, arguments=arguments)
+            result = await self.service.quick(context, job, scene=before.content, op=op, arguments=arguments)
             return await self.service.changed(context, handle, before, result, change)

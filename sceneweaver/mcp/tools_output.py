@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 from mcp.server.mcpserver import Context
@@ -57,7 +58,7 @@ class OutputTools:
         for each in names.values():
             service.folder.to_write(each, "name", ".png")
         options = {"views": wanted, "width": width, "height": height}
-        drawn = await service.long(context, "render", seconds, scene=one.scene, **options)
+        drawn = await service.long(context, "render", seconds, scene=one.content, **options)
         pictures, images = [], []
         for view, wide, high, data in drawn:
             if view in names:
@@ -89,7 +90,7 @@ class OutputTools:
         options: dict[str, Any] = {"formats": list(dict.fromkeys(formats)), "textures": textures}
         with service.files.new_folder(place, "folder") as new:
             options["folder"] = str(new)
-            files = await service.long(context, "export", seconds, new.parent.parent, scene=one.scene, **options)
+            files = await service.long(context, "export", seconds, new.parent.parent, scene=one.content, **options)
         told = Exported(scene=handle.id, version=one.number, folder=place, files=files)
         lines = [f"{name}: {place}/{file}" for name, file in files.items()]
         return answer(told, "\n".join([f"{handle.id} version {one.number} in {place}", *lines]))
@@ -114,7 +115,7 @@ class OutputTools:
         return answer(found, "\n".join([*lines, *rooms, *(f"note: {note}" for note in found.notes)]))
 
 
-def picture_names(name: str | None, views: list[View]) -> dict[str, str]:
+def picture_names(name: str | None, views: Sequence[str]) -> dict[str, str]:
     """The names of the files that pictures are saved as, by view."""
     if name is None:
         return {}

@@ -12,14 +12,18 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
 
+from sceneweaver.home.io import EXAMPLES as HOME_EXAMPLES
 from sceneweaver.io import read_bytes
+from sceneweaver.plans import programme_names
 from sceneweaver.runtime.options import takes
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.io import EXAMPLES
 
 from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList
 from .handles import Handles
-from .inputs import Name, Prompt, SceneId, Seconds, design_parameters
+from .homes import FILE as HOME_FILE
+from .homes import open_homes
+from .inputs import Name, OpenId, Prompt, Seconds, design_parameters
 from .limits import MOST_FOUND, MOST_SCENE
 from .paths import Folder
 from .service import Progress, Service, answer
@@ -112,20 +116,37 @@ class SceneTools:
         return answer(state, state_text(state))
 
     async def list_scenes(self) -> Annotated[CallToolResult, SceneList]:
-        """List the scenes that are open, and the files and examples that can be opened."""
-        files = await anyio.to_thread.run_sync(scene_files, self.service.folder)
-        listed = SceneList(open=open_scenes(self.service.handles), files=files, examples=list(EXAMPLES))
+        """List the scenes and homes that are open, and the files, examples and programmes that can be opened."""
+        service = self.service
+        files, home_files = await anyio.to_thread.run_sync(openable_files, service.folder)
+        listed = SceneList(
+            open=open_scenes(service.handles),
+            files=files,
+            examples=list(EXAMPLES),
+            homes=open_homes(service.homes),
+            home_files=home_files,
+            home_examples=list(HOME_EXAMPLES),
+            programmes=list(programme_names()),
+        )
         lines = [
             f"{each.scene}: {each.name}, version {each.version}, {each.objects} objects, "
             f"{'valid' if each.valid else 'NOT valid'}"
             for each in listed.open
         ]
-        lines = ["open: " + ("; ".join(lines) or "none"), "files: " + (", ".join(listed.files) or "none")]
-        return answer(listed, "\n".join([*lines, "examples: " + ", ".join(listed.examples)]))
+        lines += [
+            f"{each.home}: {each.name}, version {each.version}, {each.rooms} rooms, {each.furnished} furnished, "
+            f"{'valid' if each.valid else 'NOT valid'}"
+            for each in listed.homes
+        ]
+        told = {"files": files, "examples": listed.examples, "homes": home_files}
+        told |= {"examples of homes": listed.home_examples, "programmes": listed.programmes}
+        lines = ["open: " + ("; ".join(lines) or "none")]
+        return answer(listed, "\n".join([*lines, *(f"{what}: {', '.join(n) or 'none'}" for what, n in told.items())]))
 
-    async def close(self, scene: SceneId, context: Context) -> Annotated[CallToolResult, Closed]:
-        """Forget an open scene with all its versions. Files stay; export first what is to be kept."""
-        handle = self.service.handles.close(scene)
+    async def close(self, scene: OpenId, context: Context) -> Annotated[CallToolResult, Closed]:
+        """Forget an open scene or home with all its versions. Files stay; export first what is to be kept."""
+        service = self.service
+        handle = (service.homes if scene in service.homes else service.handles).close(scene)
         await context.notify_resources_changed()
         closed = Closed(scene=handle.id, versions=len(handle.versions))
         return answer(closed, f"{handle.id} is closed, with {closed.versions} versions")
@@ -151,29 +172,33 @@ def read_scene(folder: Folder, name: str) -> tuple[Scene, str]:
         raise InputError(f"name: {shown}: {str(error).removeprefix(f'{path}: ')}") from None
 
 
-def open_scenes(handles: Handles) -> list[OpenScene]:
+def open_scenes(handles: Handles[Scene]) -> list[OpenScene]:
     """All open scenes."""
     return [
         OpenScene(
             scene=handle.id,
-            name=handle.current.scene.id,
+            name=handle.current.content.id,
             version=handle.current.number,
             versions=sorted(handle.versions),
-            objects=len(handle.current.scene.objects),
+            objects=len(handle.current.content.objects),
             valid=handle.current.report["valid"],
         )
         for handle in handles
     ]
 
 
-def scene_files(folder: Folder) -> list[str]:
-    """Names of the files called scene.json below a folder, and of other JSON files right in it; links are left out."""
-    found = []
+def openable_files(folder: Folder) -> tuple[list[str], list[str]]:
+    """Names of scenes and of homes below a folder: files called scene.json and home.json, and other JSON files right in
+    it as scenes; links are left out."""
+    scenes, homes = list[str](), list[str]()
     for at, folders, names in os.walk(folder.root):
         deep = len(Path(at).relative_to(folder.root).parts)
         folders[:] = sorted(n for n in folders if not n.startswith(".") and deep < DEEPEST and n != "steps")
-        wanted = [n for n in sorted(names) if n == "scene.json" or (not deep and n.endswith(".json"))]
-        found += [folder.shown(Path(at, n)) for n in wanted if not n.startswith(".") and not Path(at, n).is_symlink()]
-        if len(found) >= MOST_FOUND:
-            return found[:MOST_FOUND]
-    return found
+        for name in sorted(names):
+            wanted = name == "scene.json" or (not deep and name.endswith(".json"))
+            if name.startswith(".") or not (wanted or name == HOME_FILE) or Path(at, name).is_symlink():
+                continue
+            (homes if name == HOME_FILE else scenes).append(folder.shown(Path(at, name)))
+        if len(scenes) + len(homes) >= MOST_FOUND:
+            break
+    return scenes[:MOST_FOUND], homes[:MOST_FOUND]

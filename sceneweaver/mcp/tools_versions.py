@@ -39,7 +39,8 @@ class VersionTools:
         handle = self.service.handles.get(scene)
         new = handle.get(after)
         old = handle.get(before) if before is not None else handle.before(new)
-        found = Diff(scene=handle.id, before=old.number, after=new.number, difference=difference(old.scene, new.scene))
+        differs = difference(old.content, new.content)
+        found = Diff(scene=handle.id, before=old.number, after=new.number, difference=differs)
         lines = difference_lines(found.difference) or ["- nothing differs"]
         return answer(found, "\n".join([f"{handle.id}: from version {old.number} to {new.number}", *lines]))
 
@@ -49,6 +50,6 @@ class VersionTools:
             before = handle.current
             version = handle.step(by)
             change = f"{change}: {before.change if by < 0 else version.change}"
-            state = SceneState(**self.service.state(handle, version, before.scene, change, []))
+            state = SceneState(**self.service.state(handle, version, before.content, change, []))
             await context.notify_resource_updated(uri_of(handle))
         return answer(state, state_text(state))

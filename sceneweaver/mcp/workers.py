@@ -32,7 +32,7 @@ class Worker:
     """One process, see `sceneweaver.mcp.worker`."""
 
     def __init__(self, device: str) -> None:
-        self.process = processes.Worker(serve, device, threads=None, killed_with_parent=False)
+        self.process = processes.Worker(serve, device, threads=None, killed_with_parent=False, starts_others=True)
         self.connection = self.process.connection
         self.run: Path | None = None  # the folder that it writes to
 

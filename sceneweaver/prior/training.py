@@ -109,6 +109,8 @@ def train(
 ) -> Iterator[tuple[Callable[[], State], float, int]]:
     """Train, and hand out every chunk of steps what gives the state, the loss, and how many steps it were.
 
+    The last chunk is as short as makes the steps exactly those that are told; by the time chunks are whole.
+
     Args:
         data: arrays of rooms: ``token.*`` as `tokens.Padded`, ``poses`` [L, N, 4] and how many of them each room has.
         shape: of the network.
@@ -134,7 +136,7 @@ def train(
 
     loss = partial(_loss, shape=shape, low=low, jax=jax)
 
-    def chunk(weights: Any, average: Any, moments: Any, step: Any, rate: Any, key: Any, kept: Any, poses: Any) -> Any:
+    def chunk(weights: Any, average: Any, moments: Any, step: Any, rate: Any, keys: Any, kept: Any, poses: Any) -> Any:
         def one(carry: Any, key: Any) -> Any:
             weights, average, moments, step = carry
             keys = jax.random.split(key)
@@ -146,7 +148,7 @@ def train(
             average = jax.tree.map(lambda a, w: a + (1.0 - mix) * (w - a), average, weights)
             return (weights, average, moments, step + 1.0), value
 
-        carry, values = jax.lax.scan(one, (weights, average, moments, step), jax.random.split(key, CHUNK))
+        carry, values = jax.lax.scan(one, (weights, average, moments, step), keys)
         return carry[0], carry[1], carry[2], values.mean()
 
     run = jax.jit(chunk, donate_argnums=(0, 1, 2))
@@ -164,11 +166,12 @@ def train(
         if progress >= 1.0:
             return
         rate = recipe.rate * min(1.0, (progress + 1e-3) / recipe.warm, (1.0 - progress) / recipe.fall)
-        key = jax.random.fold_in(jax.random.key(seed), step)
+        count = CHUNK if steps is None else min(CHUNK, steps - step)
+        keys = jax.random.split(jax.random.fold_in(jax.random.key(seed), step), CHUNK)[:count]
         weights, average, moments, value = run(
-            weights, average, moments, jnp.float32(step), jnp.float32(rate), key, kept, poses
+            weights, average, moments, jnp.float32(step), jnp.float32(rate), keys, kept, poses
         )
-        step += CHUNK
+        step += count
 
         def now(w: Any = weights, a: Any = average, m: Any = moments, n: int = step) -> State:
             leaves = [np.asarray(x) for x in jax.tree.leaves(m)]

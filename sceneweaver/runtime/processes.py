@@ -80,6 +80,7 @@ class Worker:
         threads: how many threads its libraries may use; None: as many as here.
         killed_with_parent: whether it is killed when this process is gone; a worker that hears of that by its
             connection can end in order instead.
+        starts_others: whether it may start processes of its own; whoever started it has to `end` it then.
     """
 
     def __init__(
@@ -88,11 +89,14 @@ class Worker:
         *arguments: Any,
         threads: int | None = 1,
         killed_with_parent: bool = True,
+        starts_others: bool = False,
     ) -> None:
         self.connection, theirs = SPAWN.Pipe()
         limits = {} if threads is None else dict.fromkeys(THREADS, str(threads))
         self._process = SPAWN.Process(
-            target=_serve, args=(serve, theirs, killed_with_parent, SAFE_PATH not in os.environ, arguments), daemon=True
+            target=_serve,
+            args=(serve, theirs, killed_with_parent, SAFE_PATH not in os.environ, arguments),
+            daemon=not starts_others,
         )
         with theirs, _environment({**limits, SAFE_PATH: "1"}):
             self._process.start()

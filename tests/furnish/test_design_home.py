@@ -12,7 +12,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.assets import Library
 from sceneweaver.furnish import asks_for_home, design, side_by_side
-from sceneweaver.furnish.design import _Asked
+from sceneweaver.furnish.asked import Asked
 from sceneweaver.furnish.folder import HomeFolder, room_folder
 from sceneweaver.furnish.home import FurnishedHome, room_jobs
 from sceneweaver.furnish.jobs import FurnishedRoom, RoomJob
@@ -200,7 +200,7 @@ def test_what_is_a_home() -> None:
 
 
 def test_what_was_asked_for_is_measured_in_the_finished_home() -> None:
-    asked = _Asked.of("a flat with three bedrooms and two bathrooms", None, None, None)
+    asked = Asked.of("a flat with three bedrooms and two bathrooms", None, None, None)
     said = asked.unmet(sw.Home.example("flat"))
     assert any("bath" in line and ("not met" in line or "partly" in line) for line in said)
-    assert _Asked.of("a flat with two bedrooms", None, None, None).unmet(sw.Home.example("flat")) == []
+    assert Asked.of("a flat with two bedrooms", None, None, None).unmet(sw.Home.example("flat")) == []

@@ -17,6 +17,8 @@ from tests.mcp.driving import LONG, connected, in_good_order, wait_for
 TOOLS = {
     *("design", "open", "list_scenes", "close", "move", "turn", "resize", "add", "remove", "relate", "unrelate"),
     *("edit", "undo", "redo", "diff", "refine", "repair", "check", "explain", "render", "export", "list_furniture"),
+    *("plan_home", "design_home", "open_home", "furnish_home", "check_home", "render_home", "export_home"),
+    *("open_room", "put_room"),
 }
 
 
@@ -61,7 +63,9 @@ def test_the_judge_and_the_resources_agree(site):
     listed = site.driver.portal.call(site.driver.client.list_resources).resources
     assert {f"scene://{handle}", f"report://{handle}"} <= {str(each.uri) for each in listed}
     templates = site.driver.portal.call(site.driver.client.list_resource_templates).resource_templates
-    assert {t.uri_template for t in templates} == {"scene://{scene}", "scene://{scene}/{version}", "report://{scene}"}
+    of_homes = {"home://{home}", "home://{home}/{version}"}
+    of_scenes = {"scene://{scene}", "scene://{scene}/{version}", "report://{scene}"}
+    assert {t.uri_template for t in templates} == of_scenes | of_homes
 
 
 def test_a_picture_comes_through_and_is_saved(site):

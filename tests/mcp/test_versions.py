@@ -27,7 +27,7 @@ def test_undo_and_redo_walk_along_the_line():
     assert one.line == [1, 2, 4] and sorted(one.versions) == [1, 2, 3, 4]
     with pytest.raises(InputError, match="redo: nothing of s1 was undone"):
         one.step(1)
-    assert one.get(3).scene.id == "study 3"  # what was undone can still be looked at
+    assert one.get(3).content.id == "study 3"  # what was undone can still be looked at
     assert [one.step(-1).number, one.step(-1).number] == [2, 1]
     with pytest.raises(InputError, match="there is nothing to undo"):
         one.step(-1)

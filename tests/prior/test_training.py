@@ -69,15 +69,36 @@ def test_rooms_are_turned_and_mirrored_with_all_that_is_in_them(data):
     assert len({tuple(np.round(w[0, :4], 3)) for w in walls}) >= 8  # of two rooms in eight ways each
 
 
+SIZES = {"wide": 32, "deep": 1, "heads": 2, "slim": 32, "steps": 1, "eyes": 2}
+SHAPE = Shape(len(WORDS.categories), len(WORDS.kinds), len(WORDS.relations), **SIZES)
+
+
+def exact(data, steps, ends):
+    """A training of so many steps hands out states after ``ends``, and Adam has counted them."""
+    made = [(now(), step) for now, _, step in train(data, SHAPE, RECIPE, seed=3, steps=steps)]
+    assert [step for _, step in made] == ends == [state.step for state, _ in made]
+    counts = [int(m) for m in made[-1][0].moments if m.shape == () and m.dtype.kind == "i"]
+    assert counts and set(counts) == {steps}
+
+
+def test_fewer_steps_than_a_chunk_has_are_just_so_many(data):
+    exact(data, 2, [2])
+
+
+@pytest.mark.slow
+def test_the_last_chunk_is_as_short_as_is_left(data, monkeypatch):
+    monkeypatch.setattr(training, "CHUNK", 3)
+    exact(data, 5, [3, 5])
+    exact(data, 3, [3])
+
+
 @pytest.mark.slow
 def test_the_loss_falls_and_a_stopped_training_goes_on(data, monkeypatch):
     monkeypatch.setattr(training, "CHUNK", 10)
-    sizes = {"wide": 32, "deep": 1, "heads": 2, "slim": 32, "steps": 1, "eyes": 2}
-    shape = Shape(len(WORDS.categories), len(WORDS.kinds), len(WORDS.relations), **sizes)
-    whole = [(now(), loss) for now, loss, _ in train(data, shape, RECIPE, seed=3, steps=200)]
+    whole = [(now(), loss) for now, loss, _ in train(data, SHAPE, RECIPE, seed=3, steps=200)]
     assert np.mean([v for _, v in whole[-4:]]) < 0.8 * whole[0][1]
     half = State.of(whole[9][0].arrays())
-    rest = [now() for now, _, _ in train(data, shape, RECIPE, seed=3, steps=200, state=half)]
+    rest = [now() for now, _, _ in train(data, SHAPE, RECIPE, seed=3, steps=200, state=half)]
     assert rest[-1].step == 200 and len(rest) == 10
     for name, value in whole[-1][0].average.items():
         np.testing.assert_allclose(rest[-1].average[name], value, atol=1e-5, err_msg=name)

@@ -10,10 +10,10 @@ import numpy as np
 from sceneweaver.io import InputError, load_json
 from sceneweaver.io.references import named_inside
 
-from ..entries import Entry
 from ..frames import affine, quaternion_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..omnigibson import box_offset
+from ..values import Entry
 
 STANDS = 0.02
 """Height [m] by which a box on the floor may miss it before it is set down."""

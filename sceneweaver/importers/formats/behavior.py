@@ -11,11 +11,11 @@ import numpy as np
 
 from sceneweaver.io import InputError, load_packed_json
 
-from ..entries import Entry
 from ..frames import quaternion_matrix
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..omnigibson import box_offset, native_box
 from ..plans import opening_of_box, room_at
+from ..values import Entry
 
 WALLS = {"walls", "ceilings", "roof", "background", "lawn", "driveway", "fence", "rail_fence"}
 DOORS = {"door", "sliding_door", "garage_door", "gate"}

@@ -13,11 +13,11 @@ import numpy as np
 from sceneweaver.io import InputError, named_inside, parse_yaml, read_text, required_inside
 from sceneweaver.io.messages import path_name
 
-from ..entries import Entry
 from ..frames import facing, yaw_matrix
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import rectangle
 from ..sdf_boxes import Bounds, sdf_bounds
+from ..values import Entry
 
 MAX_NESTED = 1000
 """Directives files that one may add, at any depth."""

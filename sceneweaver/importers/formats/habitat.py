@@ -13,10 +13,10 @@ import numpy as np
 from sceneweaver.io import load_json, load_packed_json, named_inside
 
 from ..asset_files import AssetFile, asset_files
-from ..entries import Entry
 from ..frames import AXES, Y_UP, facing, quaternion_matrix
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import room_at
+from ..values import Entry
 
 _FRONT, _UP = "-z", "y"
 """Axes of an object in Habitat's frame."""

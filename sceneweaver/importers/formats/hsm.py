@@ -10,10 +10,10 @@ import numpy as np
 from sceneweaver.io import load_packed_json
 
 from ..asset_files import asset_files
-from ..entries import Entry
 from ..frames import facing, yaw_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import along
+from ..values import Entry
 
 DOOR = (0.9, 2.0)
 """Width and height [m] of a door of which only the place is known, as HSM makes it."""

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from sceneweaver.io import load_json
 
-from ..entries import Entry
 from ..frames import yaw_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import rectangle
+from ..values import Entry
 
 FACING = {"north_wall": 0.0, "east_wall": 90.0, "south_wall": 180.0, "west_wall": 270.0}
 PRIORS = {*FACING, "ceiling", "middle of the room"}

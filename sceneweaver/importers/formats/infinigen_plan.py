@@ -10,10 +10,10 @@ from typing import Literal
 
 from sceneweaver.io import load_json
 
-from ..entries import Entry
 from ..geometry_text import shape
 from ..model import ReadOptions, SourceFormat, SourceOpening, SourceRoom
 from ..plans import Outline, on_wall
+from ..values import Entry
 
 Point = tuple[float, float]
 Kind = Literal["door", "window", "passage"]

@@ -13,10 +13,10 @@ import numpy as np
 
 from sceneweaver.io import load_packed_json
 
-from ..entries import Entry
 from ..frames import affine, euler_matrix
 from ..model import Anchor, Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import opening_of_box
+from ..values import Entry
 from . import formats
 
 _ROOM = "Semantics(room)"

@@ -11,9 +11,9 @@ from typing import Any
 from sceneweaver.io import InputError, load_json
 from sceneweaver.io.references import named_inside
 
-from ..entries import Entry
 from ..frames import euler_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
+from ..values import Entry
 
 _FIRST = re.compile(rb'\s*\{\s*"[^"]{1,200}-[0-9]+"\s*:\s*\{\s*"(?:position|rotation)"\s*:\s*\[')
 _NAME = re.compile(r"(.+)-([0-9]+)")

@@ -10,10 +10,10 @@ import numpy as np
 from sceneweaver.io import InputError, load_json, named_inside
 from sceneweaver.io.messages import path_name, quote
 
-from ..entries import Entry
 from ..frames import affine, yaw_matrix
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..shells import box_along
+from ..values import Entry
 
 _SCENES, _PHYSICS, _LAYOUT = "Annotation_scenes", "Physical_simu", "Layout"
 _SUFFIXES = (".obj", ".glb", ".ply")

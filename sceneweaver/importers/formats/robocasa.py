@@ -10,11 +10,11 @@ import numpy as np
 from sceneweaver.io import load_yaml
 
 from ..built_in import Box, built_into, solid
-from ..entries import Entry
 from ..fixture_models import FixtureModels
 from ..fixtures import Fixture, Kitchen, label_of
 from ..frames import facing, yaw_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
+from ..values import Entry
 
 _AXES = facing("-y")
 """From a fixture's frame (x right, y back) to an object's."""

@@ -10,10 +10,10 @@ import numpy as np
 from sceneweaver.io import load_json
 from sceneweaver.io.references import named_inside
 
-from ..entries import Entry
 from ..frames import euler_matrix, facing
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import along, rectangle
+from ..values import Entry
 
 _MOST = 1000
 """Walls of a room that are tried to be put in a ring."""

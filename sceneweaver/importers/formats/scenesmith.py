@@ -9,10 +9,10 @@ import numpy as np
 
 from sceneweaver.io import load_packed_json, named_inside
 
-from ..entries import Entry
 from ..frames import facing, quaternion_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import along, rectangle
+from ..values import Entry
 
 _AXES = facing("y")
 """From a model's frame (z up, front +y) to an object's."""

@@ -11,10 +11,10 @@ from sceneweaver.io import load_packed_json
 
 from ..arch import Arch, arch_of
 from ..asset_files import AssetFiles, asset_files
-from ..entries import Entry
 from ..frames import AXES, Y_UP, affine, facing, quaternion_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import room_at
+from ..values import Entry
 
 _MODEL = "z"
 """Front of a model whose up axis is y, as glTF and SSTK have it."""

@@ -12,10 +12,10 @@ import numpy as np
 
 from sceneweaver.io import load_json
 
-from ..entries import Entry
 from ..frames import euler_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import opening_of_box, rectangle
+from ..values import Entry
 
 WALL = 0.14
 """Half the thickness [m] of its executor's walls: there the floor lies and the walls end, within ``roomsize``."""

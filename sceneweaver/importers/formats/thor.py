@@ -13,12 +13,12 @@ import numpy as np
 from sceneweaver.io import load_json_lines, load_packed_json, open_unpacked
 
 from .. import frames
-from ..entries import Entry
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import room_at
 from ..sizes import Size
 from ..thor_assets import box
 from ..thor_walls import openings_of, wall_heights
+from ..values import Entry
 
 BUFFER = 0.10
 """What Holodeck adds to both sides of a thing on the floor [m] before it writes its corners."""

@@ -46,6 +46,25 @@ def home_views(home: Home) -> dict[str, str]:
     return found
 
 
+def home_view(home: Home, view: str) -> str:
+    """The name of a picture among `home_views`, where "plan" and "overview" are those of the lowest storey.
+
+    Raises:
+        InputError: for a view that is unknown.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.render.home import home_view
+        >>> home_view(sw.Home.example("flat"), "overview")
+        'overview_ground'
+    """
+    known = home_views(home)
+    short = {name.partition("_")[0]: name for name in reversed(known) if not name.startswith("walk")}
+    if view not in known and view not in short:
+        raise InputError(f"view: '{view}' is unknown{suggest(view, known)}")
+    return short.get(view, view)
+
+
 def report_parts(home: Home) -> dict[str, Any]:
     """What `sceneweaver.report.home.HomePage` takes of drawings: plans, solids, hidden, captions, shows.
 
