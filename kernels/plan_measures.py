@@ -65,7 +65,7 @@ from .plan_ways import find_ways, survey_pairs, wet_count
 wp.set_module_options({"enable_backward": False})
 
 
-NOT_VALID = wp.constant(0.1)  # of hard violations, beside what they are
+NOT_VALID = wp.constant(0.3)  # of hard violations, beside what they are
 
 
 @wp.func

@@ -24,7 +24,7 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 # candidate goes the same way all the same. Measured on one H200, docs/plans.md.
 TOGETHER = wp.constant(4)  # so many wait for their openings before these are placed
 TRIES = wp.constant(16)  # of proposals that are no move, before those that have one are measured
-FINE = wp.constant(0.03)  # the temperature of valid plans at most: soft rows weigh less than hard ones
+FINE = wp.constant(0.05)  # the temperature of valid plans at most: soft rows weigh less than hard ones
 KEEPS = wp.constant(0.85)  # of the rounds begin with the storeys that were in order
 
 

@@ -49,7 +49,7 @@ WET_WALL = 300
 """Of wall [mm] that neighbours with water share at least."""
 BENDS = {"circulation": 2, "living": 1}
 """Cells beside its own that a room of a role may have."""
-SOFT_SHARE = 0.3
+SOFT_SHARE = 1.0
 """What a soft row costs a candidate of what it costs in a report."""
 ACCESSIBLE_TOILET = 5.0
 """Floor of an accessible toilet [m2], as the checker has it."""
@@ -421,7 +421,7 @@ def _facade_arrays(envelope: Envelope) -> dict[str, np.ndarray]:
 
 def _weights(rows: Rows) -> Any:
     weight = {
-        "area": 0.5,
+        "area": 1.0,
         "corridors": rows.slope("corridors-short"),
         "wet": rows.slope("wet-together"),
         "dead_ends": rows.slope("no-dead-ends"),

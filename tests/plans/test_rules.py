@@ -206,7 +206,7 @@ SOFT: dict[str, tuple[Change, str]] = {
     ),
     "two-sides": (without("windows", "w-living-south"), "living: sides with windows is 1; at least 2"),
     "aspect-good": (lambda data: None, "living: length by width is 1.889; at most 1.6"),
-    "kitchen-shape": (resized("kitchen", -3.5, 0.3, 2.9, 1.9), "kitchen: length by width is 4; at most 1.9"),
+    "kitchen-shape": (resized("kitchen", -3.5, 0.3, 2.9, 1.9), "kitchen: length by width is 4; at most 1.8"),
     "bath-shape": (resized("bath", -1.5, 3.1, 2.9, 5.3), "bath: length by width is 2; at most 1.7"),
     "toilet-shape": (
         both(retyped(bath="guest_toilet"), resized("bath", -2.82, 3.1, 2.9, 5.3)),
