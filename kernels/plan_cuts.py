@@ -164,7 +164,7 @@ def pull_rooms(
                 if i < p[0].rooms:
                     cost += 0.5 * weight * residual * residual
             if i < p[0].rooms:
-                ratio = 0.001 * float(item(p[0].room_aspect, r)[0])
+                ratio = 0.001 * float(item(p[0].room_aspect, r))
                 axis = wp.where(w > h, 0, 1)
                 over = wp.max(w, h) - ratio * wp.min(w, h)
                 if over > 0.0:
@@ -364,11 +364,11 @@ def solve_cuts(
         hard = hard_of(violation)
         energy = HARD_WEIGHT * hard + soft
         if energy < lowest and hard == 0.0:
-            failed, ends = openings_fail(
+            failed, lost = openings_fail(
                 p, frame, count, cells, storey, area, must, parent,
                 leaves, leaf_level, fronts, front_level, record, doors, windows,
             )  # fmt: skip
-            energy += HARD_WEIGHT * failed + p[0].weights[4] * ends
+            energy += HARD_WEIGHT * failed + lost
         if energy < lowest:
             lowest = energy
             for k in range(n):

@@ -26,6 +26,7 @@ from .plan_tables import (
     AREA,
     ASPECT,
     CIRCULATION,
+    DAY,
     ENTRANCE,
     ENTRY,
     GLAZED,
@@ -34,6 +35,7 @@ from .plan_tables import (
     LARGE,
     LARGEST,
     LIT,
+    LIVING,
     NEAR,
     NORTH,
     QUIET,
@@ -42,14 +44,28 @@ from .plan_tables import (
     SHAPE,
     SHARE,
     SIDE,
+    SOFT_AREA,
+    SOFT_BEDROOM_DOORS,
+    SOFT_BEDROOMS,
+    SOFT_CORRIDORS,
+    SOFT_HALLS,
+    SOFT_SIDES,
+    SOFT_SUN,
+    SOFT_TOILET_DOORS,
+    SOFT_WET,
     SUNNY,
     THROUGH,
+    TOILET,
+    TWO_SIDED,
     WINDOWS,
     PlanProblemRef,
 )
 from .plan_ways import find_ways, survey_pairs, wet_count
 
 wp.set_module_options({"enable_backward": False})
+
+
+NOT_VALID = wp.constant(0.3)  # of hard violations, beside what they are
 
 
 @wp.func
@@ -71,6 +87,8 @@ def measure_rooms(
     total = float(0.0)
     halls = float(0.0)
     largest = int(0)
+    bedroom = int(FAR * 1000)  # floors of the smallest ones [mm2]
+    living = int(FAR * 1000)
     for r in range(p[0].rooms):
         bounds = item(p[0].room_area, r)
         floor = area[r]
@@ -83,10 +101,11 @@ def measure_rooms(
         if floor < bounds[0] or floor > bounds[2]:
             blame = blame | (1 << r)
         off = float(floor) / float(wp.max(bounds[1], 1)) - 1.0
-        soft += p[0].weights[0] * off * off
+        soft += p[0].weights[SOFT_AREA] * off * off
         hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
         lit = int(0)
         sun = int(0)
+        sides = int(0)
         i = next_cell(p, frame, count, storey, r, -1)
         while i < count:
             c = cells[i]
@@ -96,24 +115,27 @@ def measure_rooms(
                 if short < item(p[0].cell_side, i):
                     blame = blame | (1 << r)
                     violation[SIDE] = violation[SIDE] + MILLI * float(item(p[0].cell_side, i) - short)
-            if has(p, r, GLAZED | LIT | SUNNY):
+            if has(p, r, GLAZED | LIT | SUNNY | TWO_SIDED):
                 for f in range(p[0].facade.shape[0]):
                     if (item(p[0].facade_flags, f) & WINDOWS) != 0:
                         s = facade_overlap(item(p[0].facade, f), c)
                         free = wp.max(s[1] - s[0] - 2 * p[0].pier, 0)
                         if free >= p[0].least_window:
                             lit += free
+                            sides = sides | (1 << item(p[0].facade, f)[0])
                             if item(p[0].facade, f)[0] != NORTH:
                                 sun += free
             i = next_cell(p, frame, count, storey, r, i)
         long = wp.max(hull[2] - hull[0], hull[3] - hull[1])
         short = wp.min(hull[2] - hull[0], hull[3] - hull[1])
         ratio = item(p[0].room_aspect, r)
-        over = float(long) - MILLI * float(ratio[0]) * float(short)
-        if wp.int64(long) * wp.int64(1000) > wp.int64(short) * wp.int64(ratio[0]):
+        over = float(long) - MILLI * float(ratio) * float(short)
+        if wp.int64(long) * wp.int64(1000) > wp.int64(short) * wp.int64(ratio):
             blame = blame | (1 << r)
             violation[ASPECT] = violation[ASPECT] + MILLI * wp.max(over, 1.0)
-        soft += p[0].weights[1] * wp.max(float(long) / float(wp.max(short, 1)) - MILLI * float(ratio[1]), 0.0)
+        form = item(p[0].room_form, r)
+        soft += form[1] * wp.max(float(long) / float(wp.max(short, 1)) - form[0], 0.0)
+        soft += form[3] * wp.max(form[2] - float(floor) / wp.max(float(long) * float(short), 1.0), 0.0)
         need = int(0)
         if has(p, r, LIT):
             need = p[0].least_window
@@ -125,11 +147,22 @@ def measure_rooms(
             way = wp.min(facade_way(p, hull), 10000)
             violation[GLAZING] = violation[GLAZING] + MILLI * (float(need - lit) + 0.3 * float(way))
         if has(p, r, SUNNY):
-            soft += p[0].weights[5] * MILLI * float(wp.max(2 * need - sun, 0))
+            soft += p[0].weights[SOFT_SUN] * MILLI * float(wp.max(2 * need - sun, 0))
+        if has(p, r, TWO_SIDED) and (sides & (sides - 1)) == 0:
+            soft += p[0].weights[SOFT_SIDES]
+        if has(p, r, QUIET):
+            bedroom = wp.min(bedroom, floor)
+        if has(p, r, LIVING):
+            living = wp.min(living, floor)
+    for r in range(p[0].rooms):
+        if has(p, r, CIRCULATION):
+            soft += p[0].weights[SOFT_HALLS] * 1.0e-6 * float(wp.max(area[r] - bedroom, 0))
+        if has(p, r, QUIET):
+            soft += p[0].weights[SOFT_BEDROOMS] * 1.0e-6 * float(wp.max(area[r] - living, 0))
     share = halls / wp.max(total, 1.0)
     if halls * 1000.0 > total * float(p[0].corridors[0]):
         violation[SHARE] = wp.max(20.0 * (share - MILLI * float(p[0].corridors[0])), 0.001)
-    soft += p[0].weights[2] * wp.max(share - MILLI * float(p[0].corridors[1]), 0.0)
+    soft += p[0].weights[SOFT_CORRIDORS] * wp.max(share - MILLI * float(p[0].corridors[1]), 0.0)
     violation[LARGEST] = 1.0e-6 * float(wp.max(p[0].large_room - largest, 0))
     return soft, blame
 
@@ -204,11 +237,13 @@ def measure_plan(
                     least = wp.min(least, rooms_lack(p, frame, count, cells, storey, r, o, need, True))
             blame = blame | (1 << r)
             violation[REACHED] = violation[REACHED] + 0.3 + MILLI * float(least)
-        elif has(p, r, QUIET):
+        elif has(p, r, QUIET | TOILET):
             o = parent[r]
             if o >= 0:
-                if not has(p, o, CIRCULATION):
-                    soft += p[0].weights[6]
+                if has(p, r, QUIET) and not has(p, o, CIRCULATION):
+                    soft += p[0].weights[SOFT_BEDROOM_DOORS]
+                if has(p, r, TOILET) and has(p, o, DAY):
+                    soft += p[0].weights[SOFT_TOILET_DOORS]
 
     least = int(10000)
     need = p[0].entrance_door + 2 * p[0].jamb
@@ -239,7 +274,7 @@ def measure_plan(
             far = wp.max(far, wp.min(rooms_gap(p, frame, count, cells, storey, k, others), 10.0))
         if groups > p[0].wet_groups:
             violation[GROUPS] = float(groups - p[0].wet_groups) + 0.1 * far
-        soft += p[0].weights[3] * (float(groups - 1) + 0.1 * far)
+        soft += p[0].weights[SOFT_WET] * (float(groups - 1) + 0.1 * far)
 
     for k in range(p[0].wish_room.shape[0]):
         reach = item(p[0].wish_reach, k)
@@ -250,8 +285,10 @@ def measure_plan(
 
 @wp.func
 def hard_of(violation: wp.array(dtype=wp.float32)):
-    """The sum of all violations."""
+    """The sum of all violations, and `NOT_VALID` where there is one: no soft row is worth a small one."""
     total = float(0.0)
     for k in range(RULE_COUNT):
         total += violation[k]
+    if total > 0.0:
+        total += NOT_VALID
     return total

@@ -5,7 +5,8 @@ import warp as wp
 from .array_access import item
 from .plan_doors import is_free, place_doors
 from .plan_geometry import FAR, has, owner_of, takes_doors
-from .plan_tables import CIRCULATION, TURNING, PlanProblemRef
+from .plan_measures import NOT_VALID
+from .plan_tables import ANNEX, CIRCULATION, LIVING, QUIET, SOFT_ENDS, SOFT_FIRST, TURNING, PlanProblemRef
 from .plan_windows import place_windows
 
 wp.set_module_options({"enable_backward": False})
@@ -108,6 +109,51 @@ def dead_ends(
 
 
 @wp.func
+def first_way(p: PlanProblemRef, doors: wp.array2d(dtype=wp.int32), n: wp.int32, flag: wp.int32):
+    """How far [mm] along the axes the first door is from the entrance's by which one comes into rooms with a flag.
+
+    Doors to annexes, and between two such rooms, lead on from there. `FAR`: there is none on the entrance's storey.
+    """
+    if has(p, p[0].entrance, flag):
+        return 0
+    least = int(FAR)
+    for k in range(1, n):
+        a = doors[k, 0]
+        b = doors[k, 1]
+        comes = (has(p, a, flag) and not has(p, b, flag | ANNEX)) or (has(p, b, flag) and not has(p, a, flag | ANNEX))
+        if comes and (item(p[0].room_storeys, a) & 1) != 0 and (item(p[0].room_storeys, b) & 1) != 0:
+            way = int(0)
+            for axis in range(2):
+                at = 2 * (doors[k, 3 + axis] - doors[0, 3 + axis])
+                if doors[k, 2] % 2 != axis:
+                    at += doors[k, 5]
+                if doors[0, 2] % 2 != axis:
+                    at -= doors[0, 5]
+                way += wp.abs(at) / 2
+            least = wp.min(least, way)
+    return least
+
+
+@wp.func
+def soft_of_doors(
+    p: PlanProblemRef,
+    frame: wp.int32,
+    count: wp.int32,
+    cells: wp.array(dtype=wp.vec4i),
+    storey: wp.array(dtype=wp.int32),
+    doors: wp.array2d(dtype=wp.int32),
+    n: wp.int32,
+):
+    """Energy of soft rows about where doors are: halls beyond their last door, bedrooms before the living room."""
+    soft = p[0].weights[SOFT_ENDS] * dead_ends(p, frame, count, cells, storey, doors, n)
+    if p[0].weights[SOFT_FIRST] > 0.0 and n > 0 and doors[0, 1] < 0:
+        living = first_way(p, doors, n, LIVING)
+        if living < FAR:
+            soft += p[0].weights[SOFT_FIRST] * 0.001 * float(wp.max(living - first_way(p, doors, n, QUIET), 0))
+    return soft
+
+
+@wp.func
 def openings_fail(
     p: PlanProblemRef,
     frame: wp.int32,
@@ -127,12 +173,15 @@ def openings_fail(
 ):
     """Place doors and windows.
 
-    Gives by how much they fail (doors, metres of windows, rooms to turn in), and metres of halls beyond the last door.
+    Gives by how much they fail (doors, metres of windows, rooms to turn in), and the energy of soft rows about doors.
     """
     n, failed = place_doors(
         p, frame, count, cells, storey, must, parent, leaves, leaf_level, fronts, front_level, record, doors
     )
     _windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n, windows)
     narrow = rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n)
-    ends = dead_ends(p, frame, count, cells, storey, doors, n)
-    return float(failed) + 0.001 * float(lack) + float(narrow), ends
+    soft = soft_of_doors(p, frame, count, cells, storey, doors, n)
+    hard = float(failed) + 0.001 * float(lack) + float(narrow)
+    if hard > 0.0:
+        hard += NOT_VALID
+    return hard, soft

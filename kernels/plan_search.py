@@ -24,6 +24,7 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 # candidate goes the same way all the same. Measured on one H200, docs/plans.md.
 TOGETHER = wp.constant(4)  # so many wait for their openings before these are placed
 TRIES = wp.constant(16)  # of proposals that are no move, before those that have one are measured
+FINE = wp.constant(0.05)  # the temperature of valid plans at most: soft rows weigh less than hard ones
 KEEPS = wp.constant(0.85)  # of the rounds begin with the storeys that were in order
 
 
@@ -153,13 +154,14 @@ def search_plans(
             waits = value <= ceiling and hard == 0.0
         if lanes_with(waits) >= TOGETHER or lanes_with(number <= last and not waits) == 0:
             if waits:
-                failed, ends = openings_fail(
+                failed, lost = openings_fail(
                     p, new_frame, count, cells, storey, area, must, parent,
                     leaves, leaf_level, fronts, front_level, record, doors, windows,
                 )  # fmt: skip
-                value += HARD_WEIGHT * failed + p[0].weights[4] * ends
+                value += HARD_WEIGHT * failed + lost
                 if failed == 0.0:
                     last = wp.min(last, number + more)
+                    heat = wp.min(heat, FINE)
                 waits = False
         if moves_on and not waits:
             if value <= ceiling:

@@ -43,7 +43,10 @@ TURNING = wp.constant(1024)  # a square of ``turning`` is free of leaves
 PUBLIC = wp.constant(2048)
 QUIET = wp.constant(4096)  # had better be far from the entrance, and off the living room
 SLIDING = wp.constant(8192)  # its door may slide along the wall
-SNUG = wp.constant(16384)  # no leaf swings into it
+LIVING = wp.constant(16384)  # larger than bedrooms, and entered before them
+DAY = wp.constant(32768)  # toilets do not open to it
+TOILET = wp.constant(65536)
+TWO_SIDED = wp.constant(131072)  # had better have windows on two sides
 
 # Kinds of ``PlanProblem.adjacency``.
 DOOR = wp.constant(0)
@@ -99,7 +102,8 @@ FRAME_1, FRAME, FACADE, WISH = ("frame + 1",), ("frame",), ("facade",), ("wish",
 PROBLEM = (
     Table("room_area", ROOM, wp.vec3i, "mm2", "least, wanted and most floor"),
     Table("room_side", ROOM, wp.int32, "mm", "least clear width"),
-    Table("room_aspect", ROOM, wp.vec2i, "1/1000", "largest ratio of sides by hard rules, and by soft ones"),
+    Table("room_aspect", ROOM, wp.int32, "1/1000", "largest ratio of sides by hard rules"),
+    Table("room_form", ROOM, wp.vec4, "1", "by soft rows: largest ratio of sides, its weight; least fill, its weight"),
     Table("room_flags", ROOM, wp.int32, "", "bits THROUGH and following"),
     Table("room_storeys", ROOM, wp.int32, "", "bits: storeys that it may lie on"),
     Table("room_rank", ROOM, wp.int32, "", "which rooms lead on first: lower ones do"),
@@ -165,14 +169,28 @@ else:
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
         large_room=wp.int32,  # [mm2]; 0: no such rule
         turning=wp.int32,  # [mm]
-        weights=wp.types.vector(length=7, dtype=wp.float32),  # of soft rows, `SOFT`
+        weights=wp.types.vector(length=11, dtype=wp.float32),  # of soft rows, `SOFT`
     )
 
 PlanProblemRef = wp.array(dtype=PlanProblem)
 """How kernels take a problem: an array of one. The struct is 3 kB and functions take arguments by value."""
 
-SOFT = ("area", "aspect", "corridors", "wet", "dead_ends", "sun", "bedroom_doors")
+SOFT = (
+    "area",
+    "corridors",
+    "wet",
+    "dead_ends",
+    "sun",
+    "bedroom_doors",
+    "toilet_doors",
+    "halls",
+    "bedrooms",
+    "two_sides",
+    "living_first",
+)
 """Soft rows by weight."""
+SOFT_AREA, SOFT_CORRIDORS, SOFT_WET, SOFT_ENDS, SOFT_SUN, SOFT_BEDROOM_DOORS = range(6)
+SOFT_TOILET_DOORS, SOFT_HALLS, SOFT_BEDROOMS, SOFT_SIDES, SOFT_FIRST = range(6, 11)
 
 STATE = (
     Table("rng", ("candidate",), wp.uint32, "", "random stream"),

@@ -9,7 +9,7 @@ from .array_access import item
 from .plan_doors import place_doors
 from .plan_geometry import owner_of
 from .plan_measures import hard_of, measure_plan
-from .plan_openings import dead_ends, rooms_without_turning
+from .plan_openings import rooms_without_turning, soft_of_doors
 from .plan_tables import (
     DOORS,
     FRONTS,
@@ -112,7 +112,7 @@ def judge_cells(
     n_windows, lack = place_windows(p, frame, count, cells, storey, area, doors, n_doors, s.windows[candidate])
     violation[PANES] = 0.001 * float(lack)
     violation[TURN] = float(rooms_without_turning(p, frame, count, cells, storey, leaves, leaf_level, n_doors))
-    soft += p[0].weights[4] * dead_ends(p, frame, count, cells, storey, doors, n_doors)
+    soft += soft_of_doors(p, frame, count, cells, storey, doors, n_doors)
     hard = hard_of(violation)
     for k in range(RULE_COUNT):
         s.violation[candidate, k] = violation[k]

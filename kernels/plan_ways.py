@@ -87,7 +87,7 @@ def find_ways(
     """From which room each room is entered, and which rooms are reached (bits).
 
     Rooms that lead on are taken in the order of their rank. What asks for a door to one room of its own, as an en-suite
-    bath does, is entered by that door alone.
+    bath does, is entered by that door alone; so is a room that leads nowhere and asks for a door to one that does.
     """
     free = int(0)  # rooms that ask for no door of their own
     for r in range(p[0].rooms):
@@ -95,6 +95,9 @@ def find_ways(
         if must[r] == 0:
             free = free | (1 << r)
     enters = free | ~p[0].annexes
+    for r in range(p[0].rooms):
+        if ((p[0].through >> r) & 1) == 0 and (must[r] & p[0].through) != 0:
+            enters = enters & ~(1 << r)
     reached = int(1 << p[0].entrance)
     done = int(0)
     left = int((p[0].through | p[0].suites) & reached)

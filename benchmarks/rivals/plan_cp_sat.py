@@ -106,7 +106,7 @@ class _Model:
             low, _, high = (int(v) for v in self.plan.arrays["room_area"][k])
             model.add(clear * GRID * GRID >= low)
             model.add(clear * GRID * GRID <= high)
-            ratio = int(self.plan.arrays["room_aspect"][k][0])
+            ratio = int(self.plan.arrays["room_aspect"][k])
             if ratio < 10**5:
                 model.add(1000 * (w - self.wall) <= ratio * (h - self.wall))
                 model.add(1000 * (h - self.wall) <= ratio * (w - self.wall))

@@ -101,7 +101,7 @@ def run_plan(
     began: float,
 ) -> int:
     """Solve the plan of a programme, and draw the best ones into a folder."""
-    from sceneweaver.plans import Programme, check_plan, envelope_for
+    from sceneweaver.plans import Programme, envelope_for
 
     programme = Programme.load(source)
     if out.suffix or out.is_file():
@@ -109,6 +109,7 @@ def run_plan(
     with clock(time_limit, began) as until:
         with no_chatter():
             from sceneweaver.plans.solve import solve_plans
+            from sceneweaver.plans.solve_solution import COMPARED
 
             solution = until.needed(
                 "plans",
@@ -122,21 +123,18 @@ def run_plan(
                     time_limit=until.for_search(2.0),
                 ),
             )
-        homes = solution.distinct(count)
-        reports = [check_plan(home, programme, profile) for home in homes]
-        order = sorted(range(len(homes)), key=lambda k: (not reports[k].valid, round(reports[k].cost, 6), k))
+        plans = solution.ranked(max(count, COMPARED))[:count]
         out.mkdir(parents=True, exist_ok=True)
-        files = [path for number, k in enumerate(order) for path in _drawn(out, number, homes[k], reports[k])]
-    valid = [k for k in order if reports[k].valid]
+        files = [path for number, plan in enumerate(plans) for path in _drawn(out, number, *plan)]
+    valid = [report for _, report in plans if report.valid]
     code = until.code(0 if valid else NOT_VALID)
     found = len(solution.valid)
     if as_json:
-        plans = [{**reports[k].to_dict(), "home": str(out / _name(n))} for n, k in enumerate(order)]
-        print_json({"valid": found, "candidates": candidates, "plans": plans, "explanation": solution.explanation})
+        rows = [{**report.to_dict(), "home": str(out / _name(n))} for n, (_, report) in enumerate(plans)]
+        print_json({"valid": found, "candidates": candidates, "plans": rows, "explanation": solution.explanation})
         return code
     headline(programme.name, bool(valid), f"{found} of {candidates} plans keep all rules")
-    for number, k in enumerate(order):
-        report = reports[k]
+    for number, (_, report) in enumerate(plans):
         text = ", ".join(dict.fromkeys(v.rule for v in (report.soft if report.valid else report.violations)))
         typer.echo(
             f"  {_name(number)}: {sum(report.areas.values()):.0f} m2, cost {report.cost:.3f}; {text or 'all kept'}"

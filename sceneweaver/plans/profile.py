@@ -29,6 +29,7 @@ MEASURES = MappingProxyType({
     "turning": "side of the largest square along the axes that fits beside swinging leaves and stairs [m]",
     "passage": "side of the largest square that slides within the room from each of its doors to each other [m]",
     "dead_end": "how far it reaches beyond the last of its doors, less its clear width [m]",
+    "fill": "share of the rectangle around the room that the room takes",
     "ceiling": "height of the storey between floor and ceiling [m]",
     "glazing": "area of the windows by area of the floor, of all rooms that open passages join to it",
     "dark": "1 where neither the room nor one that an open passage of 1.2 m joins to it has a window, else 0",
@@ -38,6 +39,9 @@ MEASURES = MappingProxyType({
     # of a pair of rooms
     "distance": "least distance along the axes from the room to the nearest of the others on its storey [m]",
     "door_between": "doors and passages that lead from the room to one of the others",
+    "area_over": "by how much the room's floor is larger than that of the smallest of the others [m2]",
+    "nearer_entrance": "how much nearer to the entrance's door the first door of the rooms is than that of the others, "
+    "along the axes on the entrance's storey [m]",
     # of a door
     "door_width": "clear width [m]",
     "door_height": "clear height [m]",
@@ -117,8 +121,13 @@ class Rule(FrozenModel):
 
     def cost(self, excess: float) -> float:
         """What a breach by ``excess`` costs in a soft row, 0 to ``weight``."""
+        return self.weight * min(1.0, excess / self.until)
+
+    @property
+    def until(self) -> float:
+        """The excess from which a soft row costs its whole weight."""
         bound = self.least if self.least is not None else self.most
-        return self.weight * min(1.0, excess / (self.per or abs(bound or 0.0) or 1.0))
+        return self.per or abs(bound or 0.0) or 1.0
 
 
 class Profile(FrozenModel):

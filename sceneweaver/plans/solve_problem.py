@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -49,6 +49,8 @@ WET_WALL = 300
 """Of wall [mm] that neighbours with water share at least."""
 BENDS = {"circulation": 2, "living": 1}
 """Cells beside its own that a room of a role may have."""
+SOFT_SHARE = 1.0
+"""What a soft row costs a candidate of what it costs in a report."""
 ACCESSIBLE_TOILET = 5.0
 """Floor of an accessible toilet [m2], as the checker has it."""
 KINDS = {"door": tables.DOOR, "open": tables.OPEN, "near": tables.NEAR, "apart": tables.APART}
@@ -116,9 +118,18 @@ class Rows:
                 most = min(most, np.inf if row.most is None else row.most)
         return least, most
 
-    def weight(self, rule: str) -> float:
-        """Weight of a soft row; 0 where there is none."""
-        return next((row.weight for row in self.soft if row.id == rule), 0.0)
+    def slope(self, rule: str) -> float:
+        """What an excess of 1 costs a candidate by a soft row; 0 where there is none."""
+        return next((slope_of(row) for row in self.soft if row.id == rule), 0.0)
+
+    def selected(self, rule: str, room: RoomSpec, side: Literal["of", "to"] = "of") -> bool:
+        """Whether a soft row is about a room; not where there is no such row."""
+        return any(row.id == rule and selects(getattr(row, side), room.kind) for row in self.soft)
+
+    def form(self, measure: str, room: RoomSpec) -> Rule | None:
+        """The narrowest of the soft rows that bound a measure of a room."""
+        found = [row for row in self.soft if row.measure == measure and selects(row.of, room.kind)]
+        return min(found, key=lambda row: (row.most or 0.0) - (row.least or 0.0), default=None)
 
     def door_least(self, room: RoomSpec, entrance: bool = False) -> float:
         """Least clear width [m] of a door."""
@@ -127,6 +138,11 @@ class Rows:
         words = room.kind.roles | {room.kind.name}
         rows = [row for row in rows if entrance or not words & set(row.except_of)]
         return max((row.least or 0.0 for row in rows), default=0.0)
+
+
+def slope_of(row: Rule) -> float:
+    """What an excess of 1 beyond a soft row costs a candidate, without an end: searches need a slope."""
+    return SOFT_SHARE * row.weight / row.until
 
 
 def mm(value: float) -> int:
@@ -218,7 +234,7 @@ def _passage(rows: Rows, room: RoomSpec) -> int:
 
 
 def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
-    areas, sides, aspects, flags, storeys, ranks, doors = [], [], [], [], [], [], []
+    areas, sides, aspects, forms, flags, storeys, ranks, doors = [], [], [], [], [], [], [], []
     accessible = accessible_toilet(programme, rows)
     for room in programme.rooms:
         roles = room.kind.roles
@@ -231,8 +247,8 @@ def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
         if "circulation" in roles:
             side = max(side, _passage(rows, room) / 1000)
         sides.append(mm(side))
-        hard, soft = rows.bound("aspect", room)[1], rows.bound("aspect", room, soft=True)[1]
-        aspects.append([int(min(1000 * hard, 10**6)), int(min(1000 * min(soft, 2.5 if _roomy(room) else 6), 10**6))])
+        aspects.append(int(min(1000 * rows.bound("aspect", room)[1], 10**6)))
+        forms.append(_form(room, rows))
         flags.append(_flags(room, programme, rows))
         storeys.append(0 if "stairs" in roles else 1 << (room.storey or 0))
         ranks.append(_rank(room))
@@ -242,11 +258,20 @@ def _room_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
         "room_area": np.array(areas, dtype=np.int32),
         "room_side": np.array(sides, dtype=np.int32),
         "room_aspect": np.array(aspects, dtype=np.int32),
+        "room_form": np.array(forms, dtype=np.float32),
         "room_flags": np.array(flags, dtype=np.int32),
         "room_storeys": np.array(storeys, dtype=np.int32),
         "room_rank": np.array(ranks, dtype=np.int32),
         "room_door": np.array(doors, dtype=np.int32),
     }
+
+
+def _form(room: RoomSpec, rows: Rows) -> list[float]:
+    """Ratio of sides from which a room costs something, and how much; the same of how much it fills of a rectangle."""
+    aspect, fill = rows.form("aspect", room), rows.form("fill", room)
+    usual = 2.5 if _roomy(room) else 6.0
+    ratio = [usual, 0.2] if aspect is None or aspect.most is None else [aspect.most, slope_of(aspect)]
+    return ratio + ([0.0, 0.0] if fill is None or fill.least is None else [fill.least, slope_of(fill)])
 
 
 def accessible_toilet(programme: Programme, rows: Rows) -> RoomSpec | None:
@@ -275,6 +300,10 @@ def _flags(room: RoomSpec, programme: Programme, rows: Rows) -> int:
         tables.PUBLIC: "public" in roles,
         tables.QUIET: "sleeping" in roles and "living" not in roles,
         tables.SLIDING: bool(roles & {"service", "annex"}),
+        tables.LIVING: rows.selected("living-first", room, "to"),
+        tables.DAY: rows.selected("toilet-not-at-kitchen", room, "to"),
+        tables.TOILET: rows.selected("toilet-not-at-kitchen", room),
+        tables.TWO_SIDED: rows.selected("two-sides", room),
     }
     return sum(bit for bit, holds in flags.items() if holds)
 
@@ -301,6 +330,9 @@ def _relation_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
             width = max(900, width) if stairs else PASSAGE
         adjacency.append([programme.index[x.a], programme.index[x.b], KINDS[x.kind], width])
         weights.append(-1.0 if x.hard else 0.5 * x.weight)
+    for a, b, row in _doors_wished(programme, rows):
+        adjacency.append([programme.index[a], programme.index[b], tables.DOOR, min(widths[a], widths[b])])
+        weights.append(slope_of(row))
     if len(adjacency) > tables.MAX_ROWS:
         raise InputError(f"adjacencies are {len(adjacency)}; the solver takes at most {tables.MAX_ROWS}")
     wishes: list[tuple[int, int, float, float]] = []
@@ -316,11 +348,25 @@ def _relation_arrays(programme: Programme, rows: Rows) -> dict[str, np.ndarray]:
     }
 
 
+def _doors_wished(programme: Programme, rows: Rows) -> Iterable[tuple[str, str, Rule]]:
+    """Pairs of rooms of a storey that a soft row wants a door between, the programme having none for the first."""
+    joined = [{x.a, x.b} for x in programme.adjacencies if x.kind in ("door", "open", "apart")]
+    for row in rows.soft:
+        if row.measure == "door_between" and row.least:
+            for room in programme.rooms:
+                others = [o.id for o in programme.rooms if selects(row.to, o.kind) and o.storey == room.storey]
+                pairs = [{room.id, other} for other in others if other != room.id]
+                if selects(row.of, room.kind) and pairs and not any(pair in joined for pair in pairs):
+                    near = [{x.a, x.b} for x in programme.adjacencies if x.kind == "near"]
+                    other = next((p for p in pairs if p in near), pairs[0]) - {room.id}
+                    yield room.id, other.pop(), row
+
+
 def _wishes(programme: Programme, row: Rule) -> Iterable[tuple[int, int, float, float]]:
     for number, room in enumerate(programme.rooms):
         others = sum(1 << k for k, o in enumerate(programme.rooms) if k != number and selects(row.to, o.kind))
         if selects(row.of, room.kind) and others and not selects(row.to, room.kind):
-            yield number, others, 1000 * (row.most or 0.0), 0.1 * row.weight
+            yield number, others, 1000 * (row.most or 0.0), slope_of(row)
 
 
 def _frame_arrays(programme: Programme, frames: Iterable[Frame]) -> dict[str, np.ndarray]:
@@ -375,12 +421,16 @@ def _facade_arrays(envelope: Envelope) -> dict[str, np.ndarray]:
 
 def _weights(rows: Rows) -> Any:
     weight = {
-        "area": 0.5,
-        "aspect": 0.2 * rows.weight("aspect-good"),
-        "corridors": 2.0 * rows.weight("corridors-short"),
-        "wet": 0.15 * rows.weight("wet-together"),
-        "dead_ends": 0.2 * rows.weight("no-dead-ends"),
-        "sun": 0.2 * rows.weight("living-sun"),
-        "bedroom_doors": 0.2 * rows.weight("bedrooms-apart"),
+        "area": 1.0,
+        "corridors": rows.slope("corridors-short"),
+        "wet": rows.slope("wet-together"),
+        "dead_ends": rows.slope("no-dead-ends"),
+        "sun": 0.4 * rows.slope("living-sun"),
+        "bedroom_doors": rows.slope("bedrooms-apart"),
+        "toilet_doors": rows.slope("toilet-not-at-kitchen"),
+        "halls": rows.slope("hall-modest"),
+        "bedrooms": rows.slope("living-largest"),
+        "two_sides": rows.slope("two-sides"),
+        "living_first": rows.slope("living-first"),
     }
     return [weight[name] for name in SOFT]

@@ -21,7 +21,7 @@ from sceneweaver.runtime.threads import cores, map_threads
 from .solve_problem import CompiledPlan
 
 MODULES = ("plan_search", "plan_cuts", "plan_verdict")
-MOVES, LEAST_MOVES, MORE = 25, 800, 300
+MOVES, LEAST_MOVES, MORE = 25, 800, 900
 """Moves of a round for the square of a storey's number of rooms, at least in all, and after a plan is valid."""
 HOT, COLD = 4.0, 0.25
 """Temperatures at the ends of a round; a hard violation of 1 m is 10."""

@@ -11,9 +11,14 @@ from sceneweaver.home import Home
 from sceneweaver.io import InputError
 from sceneweaver.kernels.plan_tables import RULES
 
+from .check import check_plan
+from .report import PlanReport
 from .solve_home import home_of, outlines_of
 from .solve_problem import CompiledPlan
 from .solve_topology import neighbour_matrices, room_classes, topology_codes
+
+COMPARED = 200
+"""Topologies that the exact checker compares to choose a plan."""
 
 UNITS = {
     "area": "m2 of floor", "side": "m of width", "aspect": "m of length", "glazing": "m of outer wall",
@@ -144,6 +149,17 @@ class PlanSolution:
                 break
             seen.setdefault(int(codes[k]), int(k))
         return [self.home(k) for k in seen.values()]
+
+    def ranked(self, n: int = COMPARED) -> list[tuple[Home, PlanReport]]:
+        """Plans with the verdict of `check_plan` on each, the one that soft rows cost least first.
+
+        The ``n`` best topologies by energy are compared, for energies are no costs: they have a slope where a cost has
+        come to its end, and know nothing of some rows. Invalid ones, if there are any, come last.
+        """
+        plan = self.plan
+        homes = self.distinct(n)
+        found = [(home, check_plan(home, plan.programme, plan.profile, envelope=plan.envelope)) for home in homes]
+        return sorted(found, key=lambda pair: (not pair[1].valid, round(pair[1].cost, 6)))
 
     @property
     def explanation(self) -> str:

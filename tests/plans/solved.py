@@ -168,7 +168,7 @@ class Twin:
                     found["side"] += max(int(a["cell_side"][k]) - min(c[2] - c[0], c[3] - c[1]), 0) / 1000
             if hull:
                 short, long = sorted((hull[2] - hull[0], hull[3] - hull[1]))
-                ratio = int(a["room_aspect"][r][0])
+                ratio = int(a["room_aspect"][r])
                 if 1000 * long > ratio * short:
                     found["aspect"] += max(long - ratio * short / 1000, 1) / 1000
             need = n["least_window"] if self.has(r, T.LIT) else 0

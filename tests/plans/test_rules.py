@@ -193,11 +193,11 @@ SOFT: dict[str, tuple[Change, str]] = {
             retyped(hall="corridor"),
             added("rooms", id="far", type="vestibule", storey="ground", outline=outline((12, 0.3, 14, 3))),
         ),
-        "kitchen to far: distance is 9.100 m; at most 3.000 m",
+        "kitchen to far: distance is 9.100 m; at most 2.000 m",
     ),
     "no-dead-ends": (resized("landing", 3.0, -3.0, 5.0, 4.2), "landing: way beyond the last door is 1.800 m"),
     "bedrooms-apart": (retyped(landing="living_room"), "bedroom: it opens to landing"),
-    "bath-bedrooms": (retyped(bath="closet"), "bedroom to shower: distance is 5.200 m; at most 4.000 m"),
+    "bath-bedrooms": (retyped(bath="closet"), "bedroom to shower: distance is 5.200 m; at most 1.500 m"),
     "toilet-not-at-kitchen": (retyped(hall="kitchen_diner"), "shower: it opens to hall"),
     "living-light": (with_part("windows", "w-living", width=0.6), "living: windows by floor is"),
     "living-sun": (
@@ -205,8 +205,41 @@ SOFT: dict[str, tuple[Change, str]] = {
         "living: glass that does not face north is 0.0 %; at least 50.0 %",
     ),
     "two-sides": (without("windows", "w-living-south"), "living: sides with windows is 1; at least 2"),
-    "aspect-good": (lambda data: None, "living: length by width is 1.889; at most 1.7"),
-    "aspect-small": (resized("kitchen", -3.5, 0.3, 2.9, 1.9), "kitchen: length by width is 4; at most 3.5"),
+    "aspect-good": (lambda data: None, "living: length by width is 1.889; at most 1.6"),
+    "kitchen-shape": (resized("kitchen", -3.5, 0.3, 2.9, 1.9), "kitchen: length by width is 4; at most 1.8"),
+    "bath-shape": (resized("bath", -1.5, 3.1, 2.9, 5.3), "bath: length by width is 2; at most 1.7"),
+    "toilet-shape": (
+        both(retyped(bath="guest_toilet"), resized("bath", -2.82, 3.1, 2.9, 5.3)),
+        "bath: length by width is 2.6; at most 2.2",
+    ),
+    "service-shape": (resized("store", 0.3, 5.4, 2.9, 6.4), "store: length by width is 2.6; at most 2"),
+    "hall-shape": (resized("landing", 3.0, -3.0, 5.0, 4.2), "landing: length by width is 3.6; at most 3.2"),
+    "hall-plain": (
+        both(
+            with_part("rooms", "landing", outline=[[3, 0.3], [3.4, 0.3], [3.4, 1.8], [5, 1.8], [5, 4.2], [3, 4.2]]),
+            with_part("doors", "from-stairs", wall=4),
+        ),
+        "landing: share of the rectangle around it is 69.2 %; at least 70.0 %",
+    ),
+    "hall-modest": (lambda data: None, "hall: floor beyond that of child is 0.78 m2; at most 0.00 m2"),
+    "room-whole": (
+        both(
+            with_part(
+                "rooms", "bedroom", outline=[[5.1, 0.3], [8.7, 0.3], [8.7, 4.5], [7.6, 4.5], [7.6, 7.1], [5.1, 7.1]]
+            ),
+            with_part("doors", "to-bedroom", wall=5),
+        ),
+        "bedroom: share of the rectangle around it is 88.3 %; at least 90.0 %",
+    ),
+    "living-largest": (
+        resized("living", 5.1, 0.3, 8.6, 7.1),
+        "bedroom: floor beyond that of living is 0.68 m2; at most 0.00 m2",
+    ),
+    "kitchen-door": (lambda data: None, "kitchen: it opens to none of eating, living"),
+    "living-first": (
+        retyped(kitchen="guest_room"),
+        "kitchen: its lead over living on the way in is 1.000 m; at most 0.000 m",
+    ),
     "wet-together": (retyped(living="living_kitchen"), "groups is 2; at most 1"),
 }
 

@@ -55,6 +55,27 @@ def aspect(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
         yield Reading((room.id,), Fraction(long, short), f"{room.id}: length by width", "")
 
 
+@measure("fill")
+def fill(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
+    """Floor by the area of the rectangle around it: legs and recesses make it less than 1."""
+    for room in plan.selected(rule.of):
+        x0, y0, x1, y1 = room.box
+        share = room.area * 1_000_000 / ((x1 - x0) * (y1 - y0))
+        yield Reading((room.id,), share, f"{room.id}: share of the rectangle around it", "%")
+
+
+@measure("area_over")
+def area_over(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
+    """Floor beyond that of the smallest of the other rooms."""
+    others = list(plan.selected(rule.to))
+    for room in plan.selected(rule.of):
+        small = min((o for o in others if o is not room), key=lambda o: o.area, default=None)
+        if small is not None:
+            yield Reading(
+                (room.id, small.id), room.area - small.area, f"{room.id}: floor beyond that of {small.id}", "m2"
+            )
+
+
 @measure("ceiling")
 def ceiling(plan: PlanFacts, rule: Rule) -> Iterable[Reading]:
     """Height of the storey."""

@@ -9,7 +9,7 @@ from fractions import Fraction
 from ..profile import Rule
 from ..room_types import selects
 from .facts import PlanFacts
-from .parts import RoomFacts
+from .parts import DoorFacts, RoomFacts
 from .readings import Reading, fault, measure
 from .rooms import turning_square
 
@@ -143,5 +143,43 @@ def door_between(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     around = neighbours(plan)
     for room in plan.selected(rule.of):
         others = [other for other in around[room.id] if selects(rule.to, other.kind) and other is not room]
-        names = ", ".join(other.id for other in others)
+        names = ", ".join(other.id for other in others) or f"none of {', '.join(rule.to)}"
         yield Reading((room.id, *(o.id for o in others)), Fraction(len(others)), f"{room.id}: it opens to {names}")
+
+
+@measure("nearer_entrance")
+def nearer_entrance(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
+    """Ways along the axes from the middle of the entrance's door to the middle of the first door of the rooms.
+
+    Doors to annexes, and between two of the rooms, lead on from there and do not count; a room with the entrance's door
+    in it is at 0.
+    """
+    for entrance in plan.entrances[:1]:
+        here = door_middle(entrance)
+        near: list[tuple[Fraction, str]] = []
+        for words in (rule.of, rule.to):
+            ways = [
+                (abs(here[0] - x) + abs(here[1] - y), room.id)
+                for room in plan.selected(words)
+                if room.storey == entrance.room.storey
+                for door in plan.doors_of(room)
+                if leads_in(door, room, words)
+                for x, y in [door_middle(door)]
+            ]
+            near += [min(ways)] if ways else []
+        if len(near) == 2:
+            (first, room), (second, other) = near
+            line = f"{room}: its lead over {other} on the way in"
+            yield Reading((room, other), (second - first) / 1000, line, "m")
+
+
+def door_middle(door: DoorFacts) -> tuple[Fraction, Fraction]:
+    """The middle of an opening on the face of the wall of its own room, to half a millimetre where that is straight."""
+    (ax, ay), (bx, by) = door.wall.at(door.offset), door.wall.at(door.offset + door.width)
+    return Fraction(round(ax + bx), 2), Fraction(round(ay + by), 2)
+
+
+def leads_in(door: DoorFacts, room: RoomFacts, words: Iterable[str]) -> bool:
+    """Whether one comes into a room by a door: from outdoors, or from a room that is no annex and none of ``words``."""
+    other = door.other if door.room is room else door.room
+    return other is None or not (other.has("annex") or other.outdoor or selects(words, other.kind))
