@@ -4,9 +4,11 @@ import time
 
 import pytest
 
-from sceneweaver.furnish.design import _Asked, _Run
+from sceneweaver.furnish.asked import Asked
+from sceneweaver.furnish.design import _Run
 from sceneweaver.furnish.giving_way import areas_asked, missed, softer
 from sceneweaver.furnish.outside import has_outside_door
+from sceneweaver.furnish.side_by_side import RoomPool
 from sceneweaver.language.homes import demands, read_home
 from sceneweaver.plans import Adjacency, Programme, check_plan
 from sceneweaver.runtime.deadline import Deadline, Stop
@@ -14,10 +16,10 @@ from sceneweaver.runtime.deadline import Deadline, Stop
 
 def planned(text, plans=96):
     """A request's plan, the programme it was solved for, and the run."""
-    asked = _Asked.of(text, None, None, None)
+    asked = Asked.of(text, None, None, None)
     limit = Deadline(time.monotonic() + 60, stop=Stop())
-    run = _Run(asked, 0, "cpu", 1, plans, {}, limit, None, None, None)
-    home, programme = run._planned(run._possible()[0], 0)
+    run = _Run(asked, 0, "cpu", RoomPool(1), plans, {}, {}, limit, None, None)
+    home, programme = run._planned(asked.possible()[0], 0)
     return home, programme, run
 
 
