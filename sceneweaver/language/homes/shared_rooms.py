@@ -55,10 +55,7 @@ def one_more_for(reading: Reading, last: Named, at: int) -> bool:
 
 def in_its_own(tokens: Sequence[Token], at: int) -> bool:
     """ "The safe in its own closed room": no room more than the one that is named so."""
-    for k in range(max(1, at - 4), at):
-        if tokens[k].text == "its" and tokens[k - 1].text == "in":
-            return True
-    return False
+    return any(tokens[k].text == "its" and tokens[k - 1].text == "in" for k in range(max(1, at - 4), at))
 
 
 def _single(token: Token) -> str:
