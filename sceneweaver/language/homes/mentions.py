@@ -339,8 +339,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
         if found.count is not None and found.count > 1:
-            places = token.text if " " not in token.text else "desks"
-            found.wishes.append(f"with {found.count} {places}")
+            found.wishes.append(f"with {found.count} workstations")  # each a desk with its chair
         found.count, found.told = 1, ""
     if kind.name == "open_office" and said in SPACES:  # where those who were named work
         found.count, found.told = 1, ""
