@@ -19,7 +19,7 @@ from sceneweaver.verify.grid import CELL, Grid
 from sceneweaver.verify.measure import Measurement, at_least, length
 from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import Array, Body, Placed
-from sceneweaver.verify.ways import widest_way
+from sceneweaver.verify.ways import forget_ground, widest_way
 
 LOW, HIGH = 0.03, 1.9
 """Heights between which a solid part is in the way [m]."""
@@ -83,6 +83,7 @@ def find(placed: Placed) -> Iterator[Violation]:
         by = f" ({', '.join(found.objects[:4])})" if found.objects else ""
         text = f"{area.kind} {area.id} is {length(found.measurement.value)} wide, not {length(area.size[0])}{by}"
         yield Violation.of(kind, (area.id, *found.objects), text, found.measurement)
+    forget_ground(placed)
 
 
 def _in_the_way(placed: Placed, without: frozenset[str] = frozenset()) -> tuple[list[Any], list[str]]:

@@ -41,25 +41,71 @@ def widest_way(placed: Placed, area: FreeArea) -> tuple[float | None, tuple[str,
     The disc is moved over the centres of cells, so that its width is right to a cell. None where the path names nothing
     that is there, or the room is too large.
     """
-    from scipy.ndimage import distance_transform_edt
-
-    grid = Grid(placed)
-    if grid.cells > MOST_CELLS:
+    ground = _Ground.of(placed)
+    if ground is None:
         return None, ()
     starts, ends = _ends(placed, area)
     if not starts or not ends:
         return None, ()
-    parts = placed.parts
-    rows = (parts.z[:, 0] < HIGH) & (parts.z[:, 1] > LOW)
-    free = grid.inside() & ~grid.covered(grid.spans(grid.to_grid(parts.xy[rows]), 1e-3))
-    room = np.asarray(distance_transform_edt(np.pad(free, 1)))[1:-1, 1:-1] * CELL - CELL / 4  # to what is in the way
-    away = {name: _distance(grid, placed, name, free) for name in {*starts, *ends}}
     low, high = 0.0, WIDEST
     for _ in range(_STEPS):
         width = (low + high) / 2
-        low, high = (low, width) if _missed(room, away, starts, ends, width) else (width, high)
-    missed = _missed(room, away, starts, ends, area.size[0]) if low < area.size[0] - CELL else ()
+        low, high = (low, width) if ground.missed(starts, ends, width) else (width, high)
+    missed = ground.missed(starts, ends, area.size[0]) if low < area.size[0] - CELL else ()
     return low, missed
+
+
+class _Ground:
+    """The floor of a scene as its ways are measured on it; found once for all of them.
+
+    Attributes:
+        room: of each cell, how far [m] what is in the way is from its centre.
+    """
+
+    def __init__(self, placed: Placed, grid: Grid) -> None:
+        from scipy.ndimage import distance_transform_edt
+
+        self._placed, self._grid = placed, grid
+        parts = placed.parts
+        rows = (parts.z[:, 0] < HIGH) & (parts.z[:, 1] > LOW)
+        self._free = grid.inside() & ~grid.covered(grid.spans(grid.to_grid(parts.xy[rows]), 1e-3))
+        self.room = np.asarray(distance_transform_edt(np.pad(self._free, 1)))[1:-1, 1:-1] * CELL - CELL / 4
+        self._away: dict[str, NDArray[np.float64]] = {}
+        self._regions: dict[float, tuple[NDArray[np.int32], int]] = {}
+
+    @classmethod
+    def of(cls, placed: Placed) -> _Ground | None:
+        """That of a scene; None where it is too large."""
+        kept = placed.__dict__
+        if "_ground" not in kept:
+            grid = Grid(placed)
+            kept["_ground"] = None if grid.cells > MOST_CELLS else cls(placed, grid)
+        return kept["_ground"]
+
+    def away(self, name: str) -> NDArray[np.float64]:
+        """As `_distance`."""
+        if name not in self._away:
+            self._away[name] = _distance(self._grid, self._placed, name, self._free)
+        return self._away[name]
+
+    def missed(self, starts: list[str], ends: list[str], width: float) -> tuple[str, ...]:
+        """Where a disc of some width does not get."""
+        from scipy.ndimage import label
+
+        if width not in self._regions:
+            self._regions[width] = label(self.room >= width / 2 - 1e-6)  # pyright: ignore[reportArgumentType]
+        regions, count = self._regions[width]
+        near = width / 2 + ARRIVED
+        entered = np.zeros(count + 1, dtype=bool)
+        for name in starts:
+            entered[regions[self.away(name) <= near]] = True
+        entered[0] = False  # what is in the way
+        return tuple(name for name in ends if not entered[regions[self.away(name) <= near]].any())
+
+
+def forget_ground(placed: Placed) -> None:
+    """Let go of what ways of a scene share: megabytes, and of no use once all of them are measured."""
+    placed.__dict__.pop("_ground", None)
 
 
 def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
@@ -127,20 +173,3 @@ def _tied(placed: Placed, name: str) -> list[Body]:
             pair = {relation.subject, relation.target}
             names |= pair if name in pair else set()
     return [placed.by_id[one] for one in sorted(names) if one in placed.by_id]
-
-
-def _missed(
-    room: NDArray[np.float64],
-    away: dict[str, NDArray[np.float64]],
-    starts: list[str],
-    ends: list[str],
-    width: float,
-) -> tuple[str, ...]:
-    """Where a disc of some width does not get."""
-    from scipy.ndimage import label
-
-    regions, _ = label(room >= width / 2 - 1e-6)
-    near = width / 2 + ARRIVED
-    entered = {int(k) for name in starts for k in np.unique(regions[away[name] <= near])} - {0}
-    reached = np.isin(regions, list(entered))
-    return tuple(name for name in ends if not (reached & (away[name] <= near)).any())

@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.scene import Door, FreeArea, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.verify import check
-from sceneweaver.verify.free_floor import measure
+from sceneweaver.verify.free_floor import find, measure
 from sceneweaver.verify.solids import Placed
 
 ROOM = Room(
@@ -132,6 +132,19 @@ def test_no_path_leads_through_what_stands_from_wall_to_wall():
     sofa = box("sofa", (0.8, 1.6, 0.8), 4.2, 2.0)
     assert width(scene(area, sofa)) > 0.6
     assert width(scene(area, sofa, box("wall", (0.2, 4.0, 1.0), 2.5, 2.0))) == pytest.approx(0.0, abs=0.02)
+
+
+def test_ways_of_a_scene_are_what_each_is_alone():
+    """What they share is measured once, and let go of."""
+    things = (box("desk", (0.8, 1.6, 0.75), 4.5, 1.0), box("shelf", (0.4, 1.2, 1.8), 0.3, 3.2))
+    fence, wide = box("fence", (0.1, 3.4, 1.0), 0.75, 2.3), {"kind": "path", "size": (0.9, 0.9)}
+    ends = [(("door",), ("shelf",)), (("door",), ("desk",)), (("desk", "door"), ("shelf", "back-door")), ((), ())]
+    areas = [FreeArea(id=f"p{k}", targets=a, others=b, **wide) for k, (a, b) in enumerate(ends)]
+    together = Placed.of(scene(areas[0], *things, fence).model_copy(update={"free_areas": tuple(areas)}))
+    found = list(find(together))
+    alone = [find(Placed.of(scene(area, *things, fence))) for area in areas]
+    assert found == [violation for some in alone for violation in some] and len(found) == 3
+    assert "_ground" not in together.__dict__
 
 
 def test_without_ends_all_ways_are_meant():

@@ -22,6 +22,8 @@ def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int 
     told = [room.storey for room in rooms if room.storey]
     told += [storey for storey in (reading.sleep_storey, reading.live_storey) if storey]
     least = 1 + max([level[s] for s in told if s in level], default=0)
+    if {"first", "top"} <= {*told} and not reading.storeys:
+        least = max(least, 3)  # two storeys that are not the ground floor
     upper = any(s in ("upper", "top") for s in told)
     asked = reading.storeys or (1 if reading.one_storey else None)
     if asked is None and (reading.share_ground or "ground" in told) and reading.use.plan == "house":

@@ -180,7 +180,11 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     token = tokens[at]
     if token.text in ("space", "area") and use.plan == "office" and use.name != "school":
         return room_kinds()["open_office"] if is_open(tokens, at, token.text) else None
+    if token.text == "ours" and at and tokens[at - 1].has("joint") and use.plan in ("flat", "house"):
+        return room_kinds()["master_bedroom"]
     if not token.has("room", "means", "known_room", "use"):
+        return None
+    if token.text in ("bath", "shower") and _is_in_bathroom(reading, at):
         return None
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     single = plain(_singular(token))
@@ -226,6 +230,14 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
     if token.has("room"):
         return room_kinds()[token.get("room")]
     return known_room(token.get("known_room"), single)
+
+
+def _is_in_bathroom(reading: Reading, at: int) -> bool:
+    """ "A bathroom with a bath": the thing, and no second bathroom."""
+    last = reading.named[-1] if reading.named else None
+    if last is None or not {"bathroom"} & {last.kind.name, last.kind.type, *last.kind.counts_as}:
+        return False
+    return [t.text for t in reading.tokens[last.last + 1 : at]] in (["with", "a"], ["with", "bath", "and"])
 
 
 def _by_activity(reading: Reading, at: int) -> RoomKind | None:
@@ -326,6 +338,8 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
         found.count = 1
     if said in PLACES_TO_WORK:  # in one room
         reading.workers = found.count or reading.workers
+        if found.count is not None and found.count > 1:
+            found.wishes.append(f"with {found.count} workstations")  # each a desk with its chair
         found.count, found.told = 1, ""
     if kind.name == "open_office" and said in SPACES:  # where those who were named work
         found.count, found.told = 1, ""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -29,15 +31,18 @@ def read_owners(reading: Reading) -> None:
                 one.owner = _kin(before.text.removesuffix("'s"))
             elif tokens[one.at].text.split()[0].endswith("'s") and one.kind.counts_as:
                 one.owner = _kin(tokens[one.at].text.split("'s")[0])
-            elif any(t.text in _OWN for t in tokens[one.first : one.at]) and any(
-                "own" in t.text.split() for t in tokens[one.first : one.at]
-            ):
+            elif _is_own(tokens[one.first : one.at]) or _is_own(tokens[one.last + 1 : one.last + 4]):
                 one.owner = next((kin for t in reversed(tokens[sentence.start : one.first]) if (kin := _whose(t))), "")
         for one, two in zip(names, names[1:], strict=False):
             gap = tokens[one.last + 1 : two.first]
             listed = len(gap) < LISTED and all(t.breaks or t.text == "and" for t in gap)
             if one.owner and listed and not two.owner and _is_list_of(reading, one):
                 two.owner = one.owner
+
+
+def _is_own(said: Sequence[Token]) -> bool:
+    """Whether words say that a room is somebody's own: "her own", "of their own"."""
+    return any(one.text in _OWN and two.text.split()[0] == "own" for one, two in zip(said, said[1:], strict=False))
 
 
 def _is_list_of(reading: Reading, one: Named) -> bool:

@@ -236,10 +236,13 @@ def _places(words: str, rooms: list[Room]) -> list[Room]:
     from sceneweaver.knowledge.load import room_types
 
     spoken_words = words.split()
-    ends = [k for k, word in enumerate(spoken_words) if word in _BEHIND_HEAD and k]
+    triples = [" ".join(spoken_words[k : k + 3]) for k in range(len(spoken_words) - 2)]
+    whole = [k for k, words in enumerate(triples) if "noun" in vocabulary().get(words, {})]  # "walk in shower"
+    within = {j for k in whole for j in range(k, k + 3)}
+    ends = [k for k, word in enumerate(spoken_words) if word in _BEHIND_HEAD and k and k not in within]
     spoken_words = spoken_words[: ends[0]] if ends else spoken_words  # "a shower with a seat" goes where showers do
     pairs = [" ".join(two) for two in zip(spoken_words, spoken_words[1:], strict=False)]
-    nouns = [w for w in (*pairs, *spoken_words) if "noun" in vocabulary().get(w, {})]
+    nouns = [w for w in (*(triples[k] for k in whole), *pairs, *spoken_words) if "noun" in vocabulary().get(w, {})]
     categories = {category_of(str(vocabulary()[w]["noun"])) for w in nouns}
     found: list[tuple[float, int, Room]] = []
     for index, room in enumerate(rooms):

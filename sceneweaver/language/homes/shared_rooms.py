@@ -42,6 +42,8 @@ def for_each(reading: Reading, at: int) -> bool:
     if any(t.number is not None and t.number > 1 for t in tokens[max(0, at - 2) : at]) or tokens[at].plural:
         return False
     one, two = tokens[at + 1], tokens[at + 2]
+    if one.text == "each" and two.text == "for":
+        return True  # "a bedroom each for me and my brother"
     return one.text == "for each" or one.text == "for" and two.text.split()[0] == "each"
 
 

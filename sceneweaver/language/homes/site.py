@@ -7,6 +7,11 @@ from .parts import Reading
 WHOLE = 0.5
 """Share of what a word for a size changes of one room that it changes of all of them."""
 
+BELOW = 0.93
+"""Share of an area that a home may have at most from which on it may have it."""
+
+_MOST = ("at most", "up to", "maximum", "max", "under", "below", "less", "no more", "not more")
+
 SMALLEST = 14.0
 """Least floor of a home [m2]."""
 
@@ -78,6 +83,11 @@ def _area(reading: Reading, at: int) -> None:
     elif high < SMALLEST and reading.named:
         return  # no home is as small
     else:
+        if any(t.text in _MOST for t in reading.tokens[max(0, at - 2) : at + 2]):
+            low = round(BELOW * high, 1)
+            for k in range(max(0, at - 2), min(at + 2, len(reading.tokens))):
+                if reading.tokens[k].text in _MOST:
+                    reading.did(k, "area")
         reading.area = (low, high)
         reading.rows.append((token.span, "area", f"{(low + high) / 2:g} m2 in all"))
     reading.did(at, "area")

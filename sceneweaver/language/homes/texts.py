@@ -25,7 +25,7 @@ def room_requests(request: HomeRequest, home: Home | None = None, *, told_only: 
         >>> from sceneweaver.language.homes import read_home, room_requests
         >>> asked = read_home("a rustic flat with two bedrooms and a crib in the parents' bedroom")
         >>> room_requests(asked, told_only=True)
-        {'bedroom': 'A rustic bedroom for two people with a crib.'}
+        {'bedroom': "A rustic parents' bedroom for two people with a crib."}
     """
     asked = {room.id: room for room in request.rooms}
     types = {room.id: room.type for room in (home.rooms if home is not None else request.programme.rooms)}

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from sceneweaver.language.model import Span
-from sceneweaver.language.vocabulary import vocabulary
 
 from .described import is_look
+from .loose import is_style, read_loose, said_words, thing_end
 from .mentions import is_thing
 from .parts import Named, Reading
-from .tokens import Token
 
 _BEGIN = (
     "with",
@@ -34,13 +33,7 @@ _FILLED = ("lined", "filled", "full", "fitted", "equipped", "furnished", "comple
 _BEFORE_PLACE = ("the", "a", "an", "our", "my", "for", "for each", "each", "each of them", "each of us", "of them")
 
 _COPULAS = ("is", "are", "should", "must", "be", "painted", "all", "please", "to", "has")
-_EVERYONE = ("each", "everyone", "everybody")
-_ALL_OF = ("we", "they", "us", "them", "you")
-"""Words before "all" where that means people."""
-REACH = 6
-"""Words before a thing among which the people are whom it is for."""
 
-_STYLE = ("styles", "moods")
 _KEEP_SMALL = ("at", "next", "under", "by", "beside", "behind", "above", "in", "to", "on")
 
 
@@ -50,7 +43,7 @@ def read_wishes(reading: Reading) -> None:
         _unwanted(reading, sentence)
         _before_rooms(reading, sentence)
         _behind_rooms(reading, sentence)
-        _loose(reading, sentence)
+        read_loose(reading, sentence)
     _styles(reading)
 
 
@@ -77,7 +70,7 @@ def _unwanted(reading: Reading, sentence: range) -> None:
             if token.breaks and token.text != "," or token.text in ("but", "with", "please", "if"):
                 break
             if is_thing(token) and not token.done:
-                end = _thing_end(reading, k, sentence.stop)
+                end = thing_end(reading, k, sentence.stop)
                 words = " ".join(t.text for t in tokens[k:end])
                 reading.unwanted.append((words, Span(tokens[k].span.start, tokens[end - 1].span.end)))
                 for j in (at, *range(k, end)):
@@ -92,13 +85,6 @@ def _unwanted(reading: Reading, sentence: range) -> None:
                 and not token.has("no", "size", "own")
             ):
                 break
-
-
-def _thing_end(reading: Reading, at: int, stop: int) -> int:
-    end = at + 1
-    while end < stop and is_thing(reading.tokens[end]) and not reading.tokens[end].done:
-        end += 1
-    return end
 
 
 def _before_rooms(reading: Reading, sentence: range) -> None:
@@ -128,7 +114,7 @@ def _before_rooms(reading: Reading, sentence: range) -> None:
         ):
             start += 1
         if any(is_thing(tokens[j]) for j in range(start, k)):
-            words = _words(tokens[start:k])
+            words = said_words(tokens[start:k])
             one.wishes.append(words)
             for j in range(start, k + 1):
                 reading.did(j, f"request of {one.kind.name}")
@@ -175,9 +161,9 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
             for t in told
         ):
             continue
-        said = _words(told)
+        said = said_words(told)
         if tokens[k - 1].text in _FILLED:
-            said = f"with {_words(told[1:])}"
+            said = f"with {said_words(told[1:])}"
             reading.did(k - 1, f"request of {one.root.kind.name}")
         sizes = [t for t in told if t.has("size")]
         if sizes and len([t for t in told if t.has("size") or is_thing(t) or not t.kinds]) == len(sizes):
@@ -220,78 +206,10 @@ def _is_like(reading: Reading, one: Named, sentence: range) -> bool:
     return True
 
 
-def _loose(reading: Reading, sentence: range) -> None:
-    """Things that are asked for in no room that is named: each with the words around it."""
-    tokens = reading.tokens
-    at = sentence.start
-    while at < sentence.stop:
-        token = tokens[at]
-        if token.done or not is_thing(token) or _is_style(token):
-            at += 1
-            continue
-        start = at
-        while (
-            start > sentence.start
-            and not tokens[start - 1].breaks
-            and not tokens[start - 1].done
-            and (
-                not tokens[start - 1].kinds
-                or tokens[start - 1].has("own", "size", "number")
-                or tokens[start - 1].text in ("a", "an")
-            )
-        ):
-            start -= 1
-        end = _thing_end(reading, at, sentence.stop)
-        while (
-            end < sentence.stop
-            and not tokens[end].breaks
-            and not tokens[end].done
-            and end - at < 10
-            and (
-                tokens[end].text in ("for", "of", "with", "each", "the", "a", "an", "by", "under", "on", "in")
-                or tokens[end].has("person", "number", "each", "groups")
-                or is_thing(tokens[end])
-            )
-        ):
-            end += 1
-        while end - 1 > at and tokens[end - 1].text in (
-            "for",
-            "of",
-            "with",
-            "the",
-            "a",
-            "an",
-            "by",
-            "under",
-            "on",
-            "in",
-        ):
-            end -= 1
-        words = _words(tokens[start:end])
-        span = Span(tokens[start].span.start, tokens[end - 1].span.end)
-        reading.loose.append((words, span, _for_everyone(reading, sentence, start)))
-        for j in range(start, end):
-            reading.did(j, "request")
-        at = end
-
-
-def _for_everyone(reading: Reading, sentence: range, at: int) -> bool:
-    """Whether a thing is for each of the people: "each needs a desk", "they all have a desk of their own"."""
-    for k in range(at - 1, max(sentence.start, at - REACH) - 1, -1):
-        if reading.tokens[k].breaks:
-            return False
-        words = reading.tokens[k].text.split()
-        if words[0] in _EVERYONE or words == ["for", "each"]:
-            return True
-        if words[0] == "all" and ("of" in words or k and reading.tokens[k - 1].text in _ALL_OF):
-            return True
-    return False
-
-
 def _styles(reading: Reading) -> None:
     """Words for a style that belong to no room are for all of them."""
     for at, token in enumerate(reading.tokens):
-        if not _is_style(token) or token.done:
+        if not is_style(token) or token.done:
             continue
         reading.styles.append(token.text)
         reading.rows.append((token.span, "style", f"{token.text}, in the request of each room"))
@@ -299,20 +217,3 @@ def _styles(reading: Reading) -> None:
         after = reading.tokens[at + 1] if at + 1 < len(reading.tokens) else None
         if after is not None and after.text in ("style", "styled", "look", "feel"):
             reading.did(at + 1, "style")
-
-
-def _is_style(token: Token) -> bool:
-    if token.kinds and not token.has("accessible"):
-        return False
-    kinds = vocabulary().get(token.text, {})
-    return any(kind in kinds for kind in _STYLE) and not token.has("accessible")
-
-
-def _words(tokens: tuple[Token, ...] | list[Token]) -> str:
-    """Words as they are said, without what ends or begins a clause for nothing."""
-    said = [t.text for t in tokens]
-    while said and said[0] in ("so", "and", "has", "have", "plus", "it", "that", "which", "is"):
-        said.pop(0)
-    while said and said[-1] in ("and", "or", "too", "please", "also"):
-        said.pop()
-    return " ".join(said)
