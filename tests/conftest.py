@@ -1,4 +1,4 @@
-"""What all tests share: kernels are compiled once, long files begin first, the garbage collector rests meanwhile."""
+"""What all tests share: kernels are compiled once, long files begin first, the garbage collector seldom looks."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Generator
 import pytest
 from hypothesis import settings
 
+from sceneweaver.cli.app import COLLECT
 from tests.sizes import WHOLE
 
 settings.register_profile(WHOLE)
@@ -53,11 +54,13 @@ def pytest_collection() -> Generator[None, object, object]:
     """Collect tests without the garbage collector, and leave modules and tests, which all stay, out of it later on.
 
     To look through these few million objects again and again took a third of the time of collecting, and a tenth of
-    that of the tests.
+    that of the tests. What tests leave is looked through as seldom as in the program itself: with the thresholds of
+    Python that took another twentieth.
     """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(*COLLECT)
         gc.enable()
