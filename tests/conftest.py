@@ -21,7 +21,7 @@ FIRST = (
     *("cli/test_stopping.py", "explain/test_explain.py", "datasets/test_engines.py", "io/test_mutated_files.py"),
     *("agent/test_deliver.py", "agent/by_model/test_design_by_model.py", "assets/test_parametric.py"),
     *("assets/test_readers.py", "mcp/test_ending.py", "tools/test_add_objects.py", "packaging/test_wheel.py"),
-    "test_notebooks.py",
+    *("test_notebooks.py", "test_docstrings.py", "bench/test_run.py"),
 )
 """The files that take longest, six seconds of a core and more. A worker takes whole files: one of these as the last
 would leave the other workers without work."""
