@@ -1,4 +1,4 @@
-"""What all tests share: kernels are compiled once, long files begin first, the garbage collector rests meanwhile."""
+"""What all tests share: kernels are compiled once, long files begin first, the garbage collector seldom looks."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Generator
 import pytest
 from hypothesis import settings
 
+from sceneweaver.cli.app import COLLECT
 from tests.sizes import WHOLE
 
 settings.register_profile(WHOLE)
@@ -20,7 +21,7 @@ FIRST = (
     *("cli/test_stopping.py", "explain/test_explain.py", "datasets/test_engines.py", "io/test_mutated_files.py"),
     *("agent/test_deliver.py", "agent/by_model/test_design_by_model.py", "assets/test_parametric.py"),
     *("assets/test_readers.py", "mcp/test_ending.py", "tools/test_add_objects.py", "packaging/test_wheel.py"),
-    "test_notebooks.py",
+    *("test_notebooks.py", "test_docstrings.py", "bench/test_run.py"),
 )
 """The files that take longest, six seconds of a core and more. A worker takes whole files: one of these as the last
 would leave the other workers without work."""
@@ -53,11 +54,13 @@ def pytest_collection() -> Generator[None, object, object]:
     """Collect tests without the garbage collector, and leave modules and tests, which all stay, out of it later on.
 
     To look through these few million objects again and again took a third of the time of collecting, and a tenth of
-    that of the tests.
+    that of the tests. What tests leave is looked through as seldom as in the program itself: with the thresholds of
+    Python that took another twentieth.
     """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(*COLLECT)
         gc.enable()

@@ -108,7 +108,8 @@ def design_home(
 
     Examples:
         >>> import sceneweaver as sw
-        >>> result = sw.design_home("a studio flat", seed=1, plans=64, steps=1, candidates=8, workers=1, device="cpu")
+        >>> text = "a tiny house with a bedroom and a toilet"
+        >>> result = sw.design_home(text, seed=1, plans=64, steps=1, candidates=8, workers=1, device="cpu")
         >>> result.plan_report.valid, all(room.scene is not None for room in result.rooms.values())
         (True, True)
     """

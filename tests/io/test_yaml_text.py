@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.datasets.spec import load_spec
@@ -13,6 +13,7 @@ from sceneweaver.io import load_yaml, parse_yaml
 from sceneweaver.knowledge.room_files import read_room
 from sceneweaver.llm.prices import Prices
 from sceneweaver.scene import InputError
+from tests.sizes import examples
 
 WRONG = {
     "brackets": ("[" * 50_000, "nested more than 40 deep"),
@@ -65,7 +66,7 @@ def test_a_broken_room_of_a_user_is_left_out(tmp_path):
     assert done.returncode == 0 and "bedroom" in done.stdout and "Traceback" not in done.stderr
 
 
-@settings(max_examples=200, deadline=None)
+@examples(70, 200)
 @given(st.one_of(st.binary(max_size=200), st.text("[]{}-:,&*!?|>'\"#%@0x1e9.\n a", max_size=80)))
 def test_any_text(text):
     try:

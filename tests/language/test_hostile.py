@@ -7,7 +7,7 @@ import sys
 import time
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.assets.taxonomy import category_named, resolve
@@ -16,7 +16,7 @@ from sceneweaver.language.source import LONGEST, MOST
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene import InputError
 from tests.language.graphs import PLACES, consistent
-from tests.sizes import sizes
+from tests.sizes import examples, sizes
 
 HOSTILE = {
     "punctuation": "?!.,;:()[]{}<>/\\|~`'\"",
@@ -155,13 +155,13 @@ def test_what_is_only_an_ending_is_a_word(text: str) -> None:
 
 
 @given(st.text(min_size=1, max_size=60).filter(lambda text: any(c.isalpha() for c in text)))
-@settings(max_examples=150, deadline=None, derandomize=True)
+@examples(50, 150, derandomize=True)
 def test_any_text_is_read(text: str) -> None:
     consistent(read_request(text))
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=30).map(" ".join))
-@settings(max_examples=120, deadline=None, derandomize=True)
+@examples(40, 120, derandomize=True)
 def test_any_words_are_read_and_always_alike(text: str) -> None:
     if not any(c.isalnum() for c in text):
         return
@@ -171,7 +171,7 @@ def test_any_words_are_read_and_always_alike(text: str) -> None:
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=20).map(" ".join))
-@settings(max_examples=80, deadline=None, derandomize=True)
+@examples(30, 80, derandomize=True)
 def test_case_says_nothing(text: str) -> None:
     low, high = read_request(text), read_request(text.upper())
     assert low.model_dump(exclude={"text"}) == high.model_dump(exclude={"text"})

@@ -108,17 +108,21 @@ def test_a_room_that_is_wrong_does_not_spoil_the_others():
     np.testing.assert_allclose(shares, [0.75, 0.25], atol=0.03)
 
 
-def test_planted_weights_are_found_again():
+@pytest.fixture(scope="module")
+def rooms() -> list[sw.Scene]:
+    return [forgotten(arranged(wished(700 + k, planted(7)))) for k in range(4)]
+
+
+def test_planted_weights_are_found_again(rooms):
     weights = planted(7)
-    rooms = [forgotten(arranged(wished(700 + k, weights))) for k in range(10)]
     learned = sw.learn_weights(rooms)
     assert cosine(learned.weights, weights) > 0.95 > cosine(dict.fromkeys(weights, 1.0), weights)
-    assert learned.left < 0.3 and learned.rooms == 10 and learned.silent == ()
+    assert learned.left < 0.3 and learned.rooms == 4 and learned.silent == ()
     assert np.mean(list(learned.weights.values())) == pytest.approx(1.0)
 
 
-def test_equal_rooms_give_equal_weights_whatever_weights_they_have():
-    rooms = [forgotten(arranged(wished(700 + k, planted(7)))) for k in range(2)]
+def test_equal_rooms_give_equal_weights_whatever_weights_they_have(rooms):
+    rooms = rooms[:2]
     learned = sw.learn_weights(rooms)
     assert sw.learn_weights(rooms) == learned
     heavy = [

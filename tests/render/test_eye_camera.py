@@ -32,6 +32,11 @@ def bedroom() -> Scene:
     return room_of(bed, wardrobe, room=room)
 
 
+@pytest.fixture(scope="module")
+def bedroom_cameras() -> dict[str, Camera]:
+    return eye_cameras(bedroom())
+
+
 def rooms() -> dict[str, Scene]:
     toilet = room_of(box("toilet", 0.35, 0.5, category="toilet"), width=1.0, depth=1.5)
     hall = room_of(box("bench", 10.0, 0.4, size=(0.4, 1.5, 0.5), category="bench"), width=20.0, depth=1.6)
@@ -64,9 +69,8 @@ def test_cameras_stand_in_the_room_level_and_free(name: str) -> None:
         assert math.dist(a.eye, b.eye) > 0.25 or turned > 0.3
 
 
-def test_the_focus_is_seen_from_the_front_and_nothing_stands_before_the_lens() -> None:
-    scene = bedroom()
-    cameras = eye_cameras(scene)
+def test_the_focus_is_seen_from_the_front_and_nothing_stands_before_the_lens(bedroom_cameras) -> None:
+    scene, cameras = bedroom(), bedroom_cameras
     glimpses = dict(zip(cameras, Probe(scene).look(list(cameras.values()), 160, 120), strict=True))
     for view in EYE_VIEWS:
         shares = glimpses[view].pixels(2) / (160 * 120)
@@ -76,14 +80,14 @@ def test_the_focus_is_seen_from_the_front_and_nothing_stands_before_the_lens() -
     assert cameras["eye-corner"].eye[0] > 1.8
 
 
-def test_the_door_view_is_taken_at_a_door() -> None:
+def test_the_door_view_is_taken_at_a_door(bedroom_cameras) -> None:
     door = bedroom().room.doors[0]
-    x, y, _ = eye_cameras(bedroom())["eye-door"].eye
+    x, y, _ = bedroom_cameras["eye-door"].eye
     assert door.offset - 0.1 < x < door.offset + door.width + 0.1 and -0.36 < y < 1.1
 
 
-def test_equal_scenes_have_equal_cameras() -> None:
-    assert eye_cameras(bedroom()) == eye_cameras(bedroom())
+def test_equal_scenes_have_equal_cameras(bedroom_cameras) -> None:
+    assert eye_cameras(bedroom()) == bedroom_cameras
 
 
 def test_the_overview_looks_at_key_pieces_from_the_front() -> None:

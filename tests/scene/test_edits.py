@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import HealthCheck, assume, given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
 
@@ -40,6 +40,7 @@ from sceneweaver.scene import (
     edits_from_json,
     invert,
 )
+from tests.sizes import examples
 
 SQUARE = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]
 LAMP = SceneObject(id="lamp-0", category="lamp", size=(0.2, 0.2, 0.5))
@@ -320,9 +321,7 @@ def edits(draw, scene: Scene):
     )
 
 
-@settings(
-    max_examples=120, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
-)
+@examples(40, 120, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(data=st.data())
 def test_any_edits_have_an_exact_inverse(small, data):
     scene = start = Scene.from_json(small)

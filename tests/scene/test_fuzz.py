@@ -7,16 +7,15 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from sceneweaver.scene import InputError, Scene
+from tests.sizes import examples
 
 BEDROOM = (Path(__file__).parents[1] / "zoo" / "bedroom-small.json").read_bytes()
 DATA = json.loads(BEDROOM)
-FAST = settings(
-    max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
-)
+FAST = examples(50, 150, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
 
 JUNK = st.one_of(
     st.none(),

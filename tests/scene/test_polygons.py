@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
 from sceneweaver.geometry.polygons import signed_area, union
 from sceneweaver.scene.messages import FieldError
 from sceneweaver.scene.polygons import check_simple, convex, counter_clockwise
+from tests.sizes import examples
 
 grid = st.lists(st.tuples(st.integers(0, 5), st.integers(0, 5)), min_size=3, max_size=8, unique=True)
 
@@ -23,7 +24,7 @@ def ring(n, start=0.0):
     return tuple((math.cos(start + i * math.tau / n), math.sin(start + i * math.tau / n)) for i in range(n))
 
 
-@settings(max_examples=300, deadline=None)
+@examples(100, 300)
 @given(grid)
 def test_simple_agrees_with_shapely(points):
     points = tuple((float(x), float(y)) for x, y in points)
@@ -35,7 +36,7 @@ def test_simple_agrees_with_shapely(points):
         assert Polygon(points).is_valid and Polygon(points).area == pytest.approx(abs(signed_area(points)))
 
 
-@settings(max_examples=300, deadline=None)
+@examples(100, 300)
 @given(grid)
 def test_convex_agrees_with_shapely(points):
     shape = Polygon(points)

@@ -6,13 +6,14 @@ import contextlib
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.scene import InputError
 from sceneweaver.tools.card import ToolCard, own_card, read_card
 from sceneweaver.tools.registry import OWN
 from sceneweaver.tools.schema import KEYWORDS, check_inputs, check_schema
+from tests.sizes import examples
 
 CARDS = sorted(f.stem for f in (Path(__file__).parents[2] / "toolcards").glob("*.yaml"))
 
@@ -120,7 +121,7 @@ schemas = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(50, 150)
 @given(schemas, values)
 def test_agrees_with_json_schema(schema, value):
     jsonschema = pytest.importorskip("jsonschema")

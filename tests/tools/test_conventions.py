@@ -9,6 +9,7 @@ import pytest
 
 import sceneweaver.generate
 import sceneweaver.tools
+from tests.for_each import for_each
 
 FOLDERS = (Path(module.__file__ or "").parent for module in (sceneweaver.tools, sceneweaver.generate))
 FILES = sorted(p for folder in FOLDERS for p in folder.glob("*.py") if p.name != "__init__.py")
@@ -48,13 +49,13 @@ def _poses(tree: ast.AST) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+@for_each(FILES)
 def test_tools_make_no_poses(file):
     lines = _poses(ast.parse(file.read_text("utf-8")))
     assert bool(lines) == (file.stem in MAY_POSE), f"{file.name}: poses in lines {lines}"
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda f: f.stem)
+@for_each(FILES)
 def test_tools_do_not_know_the_engine(file):
     for node in ast.walk(ast.parse(file.read_text("utf-8"))):
         names = [a.name for a in node.names] if isinstance(node, ast.Import) else []

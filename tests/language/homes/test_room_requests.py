@@ -7,9 +7,10 @@ from sceneweaver.language import read_request
 from sceneweaver.language.homes import read_home, room_requests
 from sceneweaver.language.homes.lexicon import data, room_kinds, uses
 from sceneweaver.plans import room_types
+from tests.for_each import for_each
 
 
-@pytest.mark.parametrize("name", list(data("rooms")))
+@for_each(data("rooms"))
 def test_the_reader_of_rooms_knows_every_noun(name):
     kind = room_kinds()[name]
     assert kind.type in room_types()
