@@ -217,11 +217,11 @@ def test_homes_are_kept_up_to_a_bound(tmp_path):
 
 @pytest.mark.slow
 def test_a_home_is_designed_into_a_folder_and_goes_on_there(tmp_path):
-    server = build_server(tmp_path, device="cpu")
+    server = build_server(tmp_path, device="cpu", limits=Limits(seconds=1800))
     heard = []
-    options = {"prompt": "a one-bedroom flat", "plans": 64, "folder": "flat", "seed": 1, "time_limit": 250, **FAST}
+    options = {"prompt": "a one-bedroom flat", "plans": 64, "folder": "flat", "seed": 1, "time_limit": 1700, **FAST}
     with connected(server) as driver:
-        answer = driver.begin("design_home", lambda *each: heard.append(each), **options).result(280)
+        answer = driver.begin("design_home", lambda *each: heard.append(each), **options).result(1780)
         assert not answer.is_error, answer.content[0].text
         made = answer.structured_content
         assert made["files"][:2] == ["home.json", "metrics.json"] and (tmp_path / "flat/plan.svg").is_file()
