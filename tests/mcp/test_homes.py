@@ -5,6 +5,9 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
+import threading
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -12,7 +15,7 @@ from PIL import Image
 import sceneweaver as sw
 from sceneweaver.mcp import build_server
 from sceneweaver.mcp.limits import MOST_PLANS, Limits
-from tests.mcp.driving import connected, in_good_order
+from tests.mcp.driving import children, command, connected, in_good_order, wait_for
 
 FAST = {"steps": 1, "candidates": 8, "clutter": 0.0}
 
@@ -192,9 +195,10 @@ def test_a_plan_is_drawn_and_saved(served):
 
 def test_an_export_can_be_opened_again(served):
     driver, folder = served
-    formats = ["home", "plan", "glb"]
+    formats = ["home", "plan", "report", "glb"]
     exported = driver.call("export_home", home="h1", formats=formats, folder="out/flat", textures=False)
-    assert exported["files"] == {"home": "home.json", "plan_ground": "plan_ground.svg", "glb": "home.glb"}
+    files = {"home": "home.json", "plan_ground": "plan_ground.svg", "report": "report.html", "glb": "home.glb"}
+    assert exported["files"] == files and "room-kitchen" in (folder / "out/flat/report.html").read_text()
     assert all((folder / "out/flat" / name).stat().st_size for name in exported["files"].values())
     listed = driver.call("list_scenes")
     assert "out/flat/home.json" in listed["home_files"] and "out/flat/home.json" not in listed["files"]
@@ -213,6 +217,29 @@ def test_homes_are_kept_up_to_a_bound(tmp_path):
         driver.call("close", scene="h1")
         assert driver.call("open_home", name="flat")["home"] == "h2"
     server.service.workers.close()
+
+
+@pytest.mark.slow
+def test_a_cancelled_design_takes_the_processes_of_its_rooms_along(tmp_path):
+    server = build_server(tmp_path, device="cpu", limits=Limits(seconds=1800))
+    rooms = threading.Event()
+    with connected(server) as driver:
+        options = {"prompt": "a two-bedroom flat", "folder": "flat", "steps": 50, "time_limit": 1700}
+        call = driver.begin("design_home", lambda *each: "valid plans" in each[2] and rooms.set(), **options)
+        assert rooms.wait(400)
+        wait_for(lambda: any(children(pid) for pid in workers()), 60)
+        below = [pid for worker in workers() for pid in children(worker)]
+        call.cancel()
+        wait_for(lambda: not [pid for pid in below if Path(f"/proc/{pid}").exists()])
+        wait_for(lambda: in_good_order(tmp_path))
+        assert driver.call("list_scenes")["homes"] == []
+        assert (tmp_path / "flat/plan.json").is_file()  # a run in this folder goes on from there
+    server.service.workers.close()
+
+
+def workers():
+    """The processes that this one has started for servers."""
+    return [pid for pid in children(os.getpid()) if b"sceneweaver.mcp.worker" in command(pid)]
 
 
 @pytest.mark.slow
