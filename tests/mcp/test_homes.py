@@ -208,6 +208,15 @@ def test_an_export_can_be_opened_again(served):
     assert driver.call("close", scene=again["home"])["versions"] == 1
 
 
+def test_a_room_is_not_designed_in_the_folder_of_a_home_and_the_other_way_round(served):
+    driver, folder = served
+    for name, state, schema in (("a", "run.json", "home-run/1"), ("b", "state.json", "run/1")):
+        (folder / "runs" / name).mkdir(parents=True)
+        (folder / "runs" / name / state).write_text(json.dumps({"schema": f"sceneweaver.{schema}"}))
+    assert "holds other things" in driver.refused("design", prompt="a study", folder="runs/a")
+    assert "holds other things" in driver.refused("design_home", prompt="a flat", folder="runs/b")
+
+
 def test_homes_are_kept_up_to_a_bound(tmp_path):
     server = build_server(tmp_path, device="cpu", limits=Limits(scenes=1))
     with connected(server) as driver:
@@ -256,5 +265,5 @@ def test_a_home_is_designed_into_a_folder_and_goes_on_there(tmp_path):
         assert len(heard) > len(made["furnished"]) and in_good_order(tmp_path)
         again = driver.call("design_home", **options)
         assert again["rooms"] == made["rooms"] and any("went on from the plan" in line for line in again["log"])
-        assert "holds other things" in driver.refused("design", prompt="a study", folder="out")
+        assert "holds other things" in driver.refused("design", prompt="a study", folder="flat")
     server.service.workers.close()
