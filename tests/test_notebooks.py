@@ -13,7 +13,7 @@ from tests.test_repository import ROOT
 pytest.importorskip("nbclient")
 from notebooks.store import NOTEBOOKS, executed, tidied, with_time  # noqa: E402
 
-LONG = {"02", "03", "04", "05", "06", "07", "08", "09", "10"}  # those that take more than a few seconds
+LONG = {"02", "03", "04", "05", "06", "07", "08", "09", "10"}  # those of more than a few seconds
 MACHINE = re.compile(r"(?<![\w.])/(?:home|root|Users|work|tmp)/\w|site-packages|0x[0-9a-f]{6,}")
 RUN = [pytest.param(path, marks=pytest.mark.slow if path.stem[:2] in LONG else (), id=path.stem) for path in NOTEBOOKS]
 STORED = [pytest.param(path, id=path.stem) for path in NOTEBOOKS]

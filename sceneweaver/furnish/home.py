@@ -145,7 +145,7 @@ def furnish_home(
     scheme, jobs = room_jobs(home, {**had, **(requests or {})}, seed=seed, prompt=prompt, device=device, **options)
     jobs = [job for job in jobs if only is None or job.room_id in only]
     for name in sorted({*(only or ())} - {job.room_id for job in jobs}):
-        raise InputError(f"only: {name} is a {home.room(name).type}, which stays empty; leave it out")
+        raise InputError(f"only: {name} is of type {home.room(name).type}, which stays empty; leave it out")
     jobs = [replace(job, seed=(seeds or {}).get(job.room_id, job.seed), draws=draws) for job in jobs]
     done = {job.room_id: room for job in jobs if kept is not None and (room := kept(job)) is not None}
     left = [job for job in jobs if job.room_id not in done]

@@ -24,8 +24,8 @@ MOST_NOTED = 20_000
 RUNS = {"state.json": "sceneweaver.run/1", "run.json": "sceneweaver.home-run/1"}
 """Files of the state of a design of a room, and of a home, with the schemas that they name."""
 
-FIRST = {"steps", "rooms"}
-"""Folders that a design makes before it writes its state."""
+FIRST = {"state.json": {"steps"}, "run.json": {"rooms"}}
+"""Folders that such a design makes before it writes its state."""
 
 
 class Files:
@@ -71,8 +71,8 @@ class Files:
             new.rename(path)
         self._note(_files_below(path))
 
-    def run_folder(self, name: str, field: str) -> Path:
-        """The folder of a design: a new one, an empty one, or that of a run.
+    def run_folder(self, name: str, field: str, state: str = "state.json") -> Path:
+        """The folder of a design: a new one, an empty one, or that of a run whose file of state is of this name.
 
         Raises:
             InputError: for a name that is refused, or a folder that holds other things, or links.
@@ -81,7 +81,7 @@ class Files:
         if path.exists():
             if not path.is_dir():
                 raise InputError(f"{field}: '{name}' is a file; give another name")
-            if any(path.iterdir()) and not _is_run(path):
+            if any(path.iterdir()) and not _is_run(path, state):
                 raise InputError(f"{field}: '{name}' is there and holds other things; give another name")
             if holds_links(path):
                 raise InputError(f"{field}: '{name}' holds links; give another name")
@@ -131,15 +131,14 @@ def tidy(folder: Path) -> None:
                     pass
 
 
-def _is_run(folder: Path) -> bool:
-    there = [name for name in RUNS if (folder / name).exists()]
-    if not there:
-        return {p.name for p in folder.iterdir()} <= FIRST  # a run that ended before its first step
+def _is_run(folder: Path, state: str) -> bool:
+    if not (folder / state).exists():
+        return {p.name for p in folder.iterdir()} <= FIRST[state]  # a run that ended before its first step
     try:
-        data = parse_json(read_bytes(folder / there[0]))
+        data = parse_json(read_bytes(folder / state))
     except InputError:
         return False
-    return isinstance(data, dict) and data.get("schema") == RUNS[there[0]]
+    return isinstance(data, dict) and data.get("schema") == RUNS[state]
 
 
 def _files_below(folder: Path) -> list[Path]:

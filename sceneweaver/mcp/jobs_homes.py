@@ -153,8 +153,10 @@ def render_home(
     return drawn
 
 
-def export_home(job: Job, *, home: Home, folder: str, formats: Sequence[str], textures: bool) -> dict[str, str]:
-    """Files of a home for other tools, in a folder; the file of each format."""
+def export_home(
+    job: Job, *, home: Home, report: Mapping[str, Any], folder: str, formats: Sequence[str], textures: bool
+) -> dict[str, str]:
+    """Files of a home for other tools, in a folder; the file of each format. ``report`` is the judge's."""
     from sceneweaver.io import write_atomic
 
     done = {}
@@ -168,7 +170,13 @@ def export_home(job: Job, *, home: Home, folder: str, formats: Sequence[str], te
             name = f"plan_{storey}"
             write_atomic(Path(folder, f"{name}.svg"), draw_plan(home, storey))
             done[name] = f"{name}.svg"
-    others = [name for name in formats if name not in ("home", "plan")]
+    if "report" in formats:
+        from sceneweaver.render.home import report_parts
+        from sceneweaver.report.home import HomePage, write_home_report
+
+        write_home_report(Path(folder, "report.html"), HomePage(home, report, **report_parts(home)))
+        done["report"] = "report.html"
+    others = [name for name in formats if name not in ("home", "plan", "report")]
     if others:
         from sceneweaver.export import export_home as write
 

@@ -129,7 +129,7 @@ class HomeTools:
         service.homes.require_room()
         seconds = service.seconds(time_limit, USUAL)
         name = folder or service.files.free_name("home")
-        out = service.files.run_folder(name, "folder")
+        out = service.files.run_folder(name, "folder", "run.json")
         options = {"seed": seed, "steps": steps, "candidates": candidates, "clutter": clutter, "plans": plans}
         made = await service.long(
             context,

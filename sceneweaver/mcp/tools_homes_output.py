@@ -118,8 +118,13 @@ class HomeOutputTools:
         home: HomeId,
         context: Context,
         formats: Annotated[
-            list[Literal["home", "plan", "glb", "usd", "usda", "mjcf", "sdf", "urdf"]],
-            Field(min_length=1, max_length=8, description="home: home.json, which open_home reads; plan: SVG drawings"),
+            list[Literal["home", "plan", "report", "glb", "usd", "usda", "mjcf", "sdf", "urdf"]],
+            Field(
+                min_length=1,
+                max_length=9,
+                description="home: home.json, which open_home reads; plan: SVG drawings; report: a page with rooms to "
+                "click and a 3D view",
+            ),
         ] = ["home", "plan"],  # noqa: B006
         folder: Annotated[Name | None, Field(description="Where the files go; null: a new folder")] = None,
         textures: Annotated[bool, Field(description="Materials with their maps, or plain and small")] = True,
@@ -134,7 +139,8 @@ class HomeOutputTools:
         options: dict[str, Any] = {"formats": list(dict.fromkeys(formats)), "textures": textures}
         with service.files.new_folder(place, "folder") as new:
             options["folder"] = str(new)
-            files = await service.long(context, "export_home", seconds, new.parent.parent, home=one.content, **options)
+            given = {"home": one.content, "report": one.report, **options}
+            files = await service.long(context, "export_home", seconds, new.parent.parent, **given)
         told = ExportedHome(home=handle.id, version=one.number, folder=place, files=files)
         lines = [f"{name}: {place}/{file}" for name, file in files.items()]
         return answer(told, "\n".join([f"{handle.id} version {one.number} in {place}", *lines]))

@@ -35,12 +35,19 @@ class Worker:
         self.process = processes.Worker(serve, device, threads=None, killed_with_parent=False, starts_others=True)
         self.connection = self.process.connection
         self.run: Path | None = None  # the folder that it writes to
+        self._ending = threading.Lock()
 
     def end(self, seconds: float) -> None:
-        """Wait so long for the process to end by itself, then end it, and clear up after it."""
-        self.process.end(seconds)
-        if self.run is not None:
-            tidy(self.run)
+        """Wait so long for the process to end by itself, then end it, and clear up after it, once.
+
+        A second thread that ends it waits for the first: one that clears up while the server's own process ends would
+        leave its lock behind.
+        """
+        with self._ending:
+            self.process.end(seconds)
+            run, self.run = self.run, None
+            if run is not None:
+                tidy(run)
 
     def retire(self, reason: str) -> None:
         """End a job early: in good order where it takes no longer than `GRACE`."""

@@ -5,6 +5,9 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
+import threading
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -12,7 +15,7 @@ from PIL import Image
 import sceneweaver as sw
 from sceneweaver.mcp import build_server
 from sceneweaver.mcp.limits import MOST_PLANS, Limits
-from tests.mcp.driving import connected, in_good_order
+from tests.mcp.driving import children, connected, in_good_order, wait_for
 
 FAST = {"steps": 1, "candidates": 8, "clutter": 0.0}
 
@@ -192,9 +195,10 @@ def test_a_plan_is_drawn_and_saved(served):
 
 def test_an_export_can_be_opened_again(served):
     driver, folder = served
-    formats = ["home", "plan", "glb"]
+    formats = ["home", "plan", "report", "glb"]
     exported = driver.call("export_home", home="h1", formats=formats, folder="out/flat", textures=False)
-    assert exported["files"] == {"home": "home.json", "plan_ground": "plan_ground.svg", "glb": "home.glb"}
+    files = {"home": "home.json", "plan_ground": "plan_ground.svg", "report": "report.html", "glb": "home.glb"}
+    assert exported["files"] == files and "room-kitchen" in (folder / "out/flat/report.html").read_text()
     assert all((folder / "out/flat" / name).stat().st_size for name in exported["files"].values())
     listed = driver.call("list_scenes")
     assert "out/flat/home.json" in listed["home_files"] and "out/flat/home.json" not in listed["files"]
@@ -202,6 +206,15 @@ def test_an_export_can_be_opened_again(served):
     again = driver.call("open_home", name="out/flat")
     assert sw.Home.loads(driver.read(again["resource"])) == sw.Home.example("flat")
     assert driver.call("close", scene=again["home"])["versions"] == 1
+
+
+def test_a_room_is_not_designed_in_the_folder_of_a_home_and_the_other_way_round(served):
+    driver, folder = served
+    for name, state, schema in (("a", "run.json", "home-run/1"), ("b", "state.json", "run/1")):
+        (folder / "runs" / name).mkdir(parents=True)
+        (folder / "runs" / name / state).write_text(json.dumps({"schema": f"sceneweaver.{schema}"}))
+    assert "holds other things" in driver.refused("design", prompt="a study", folder="runs/a")
+    assert "holds other things" in driver.refused("design_home", prompt="a flat", folder="runs/b")
 
 
 def test_homes_are_kept_up_to_a_bound(tmp_path):
@@ -216,18 +229,41 @@ def test_homes_are_kept_up_to_a_bound(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_home_is_designed_into_a_folder_and_goes_on_there(tmp_path):
-    server = build_server(tmp_path, device="cpu")
-    heard = []
-    options = {"prompt": "a one-bedroom flat", "plans": 64, "folder": "flat", "seed": 1, "time_limit": 250, **FAST}
+def test_a_cancelled_design_takes_the_processes_of_its_rooms_along(tmp_path):
+    server = build_server(tmp_path, device="cpu", limits=Limits(seconds=1800))
+    rooms = threading.Event()
     with connected(server) as driver:
-        answer = driver.begin("design_home", lambda *each: heard.append(each), **options).result(280)
+        options = {"prompt": "a two-bedroom flat", "folder": "flat", "steps": 50, "time_limit": 1700}
+        call = driver.begin("design_home", lambda *each: "valid plans" in each[2] and rooms.set(), **options)
+        assert rooms.wait(400)
+        wait_for(grandchildren, 200)
+        below = grandchildren()
+        call.cancel()
+        wait_for(lambda: not [pid for pid in below if Path(f"/proc/{pid}").exists()])
+        wait_for(lambda: in_good_order(tmp_path))
+        assert driver.call("list_scenes")["homes"] == []
+        assert (tmp_path / "flat/plan.json").is_file()  # a run in this folder goes on from there
+    server.service.workers.close()
+
+
+def grandchildren():
+    """What the processes that this one has started for servers have started: those that furnish rooms."""
+    return [pid for child in children(os.getpid()) for pid in children(child)]
+
+
+@pytest.mark.slow
+def test_a_home_is_designed_into_a_folder_and_goes_on_there(tmp_path):
+    server = build_server(tmp_path, device="cpu", limits=Limits(seconds=1800))
+    heard = []
+    options = {"prompt": "a one-bedroom flat", "plans": 64, "folder": "flat", "seed": 1, "time_limit": 1700, **FAST}
+    with connected(server) as driver:
+        answer = driver.begin("design_home", lambda *each: heard.append(each), **options).result(1780)
         assert not answer.is_error, answer.content[0].text
         made = answer.structured_content
         assert made["files"][:2] == ["home.json", "metrics.json"] and (tmp_path / "flat/plan.svg").is_file()
         assert {one["room"] for one in made["furnished"]} == {r["id"] for r in made["rooms"] if r["objects"]}
         assert len(heard) > len(made["furnished"]) and in_good_order(tmp_path)
         again = driver.call("design_home", **options)
-        assert again["rooms"] == made["rooms"] and "went on from the plan" in again["log"][0]
-        assert "holds other things" in driver.refused("design", prompt="a study", folder="out")
+        assert again["rooms"] == made["rooms"] and any("went on from the plan" in line for line in again["log"])
+        assert "holds other things" in driver.refused("design", prompt="a study", folder="flat")
     server.service.workers.close()
