@@ -36,6 +36,7 @@ from .plan_tables import (
     LARGEST,
     LIT,
     LIVING,
+    MASTER,
     NEAR,
     NORTH,
     QUIET,
@@ -49,6 +50,7 @@ from .plan_tables import (
     SOFT_BEDROOMS,
     SOFT_CORRIDORS,
     SOFT_HALLS,
+    SOFT_MASTER,
     SOFT_SIDES,
     SOFT_SUN,
     SOFT_TOILET_DOORS,
@@ -89,6 +91,7 @@ def measure_rooms(
     largest = int(0)
     bedroom = int(FAR * 1000)  # floors of the smallest ones [mm2]
     living = int(FAR * 1000)
+    master = int(FAR * 1000)
     for r in range(p[0].rooms):
         bounds = item(p[0].room_area, r)
         floor = area[r]
@@ -154,11 +157,15 @@ def measure_rooms(
             bedroom = wp.min(bedroom, floor)
         if has(p, r, LIVING):
             living = wp.min(living, floor)
+        if has(p, r, MASTER):
+            master = wp.min(master, floor)
     for r in range(p[0].rooms):
         if has(p, r, CIRCULATION):
             soft += p[0].weights[SOFT_HALLS] * 1.0e-6 * float(wp.max(area[r] - bedroom, 0))
         if has(p, r, QUIET):
             soft += p[0].weights[SOFT_BEDROOMS] * 1.0e-6 * float(wp.max(area[r] - living, 0))
+            if not has(p, r, MASTER):
+                soft += p[0].weights[SOFT_MASTER] * 1.0e-6 * float(wp.max(area[r] - master, 0))
     share = halls / wp.max(total, 1.0)
     if halls * 1000.0 > total * float(p[0].corridors[0]):
         violation[SHARE] = wp.max(20.0 * (share - MILLI * float(p[0].corridors[0])), 0.001)

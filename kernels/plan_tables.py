@@ -46,6 +46,7 @@ SLIDING = wp.constant(8192)  # its door may slide along the wall
 LIVING = wp.constant(16384)  # larger than bedrooms, and entered before them
 DAY = wp.constant(32768)  # toilets do not open to it
 TOILET = wp.constant(65536)
+MASTER = wp.constant(262144)  # no smaller than other bedrooms
 TWO_SIDED = wp.constant(131072)  # had better have windows on two sides
 
 # Kinds of ``PlanProblem.adjacency``.
@@ -169,7 +170,7 @@ else:
         corridors=wp.vec2i,  # [1/1000] share of the floor: by hard rules, by soft ones
         large_room=wp.int32,  # [mm2]; 0: no such rule
         turning=wp.int32,  # [mm]
-        weights=wp.types.vector(length=11, dtype=wp.float32),  # of soft rows, `SOFT`
+        weights=wp.types.vector(length=12, dtype=wp.float32),  # of soft rows, `SOFT`
     )
 
 PlanProblemRef = wp.array(dtype=PlanProblem)
@@ -185,12 +186,13 @@ SOFT = (
     "toilet_doors",
     "halls",
     "bedrooms",
+    "master",
     "two_sides",
     "living_first",
 )
 """Soft rows by weight."""
 SOFT_AREA, SOFT_CORRIDORS, SOFT_WET, SOFT_ENDS, SOFT_SUN, SOFT_BEDROOM_DOORS = range(6)
-SOFT_TOILET_DOORS, SOFT_HALLS, SOFT_BEDROOMS, SOFT_SIDES, SOFT_FIRST = range(6, 11)
+SOFT_TOILET_DOORS, SOFT_HALLS, SOFT_BEDROOMS, SOFT_MASTER, SOFT_SIDES, SOFT_FIRST = range(6, 12)
 
 STATE = (
     Table("rng", ("candidate",), wp.uint32, "", "random stream"),

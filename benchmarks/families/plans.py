@@ -1,13 +1,16 @@
-"""Plans: thirty programmes in envelopes of their own; valid plans a second, topologies, the exact checker, a rival."""
+"""Plans: thirty programmes in envelopes of their own; valid plans a second, topologies, the exact checker, a rival, and
+what a strict architect objects to in the plans that are chosen."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from typing import Any
 
 from benchmarks.judging import Judge
+from benchmarks.plan_faults import plan_faults, strict
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
 from sceneweaver.plans import Programme, check_plan, envelope_for, programme_names, solve_plans
@@ -42,6 +45,10 @@ COLUMNS = (
     Column("how", "rival"),
 )
 
+CHOICES = {"chosen": "chosen", "energy": "by energy alone", "usual": "any valid one"}
+"""Plans whose faults are counted: that of `PlanSolution.ranked`, that of least energy, that of median energy."""
+FAULTS = (Column("kind", "fault"), Column("says", "what holds"), *(Column(k, v, "count") for k, v in CHOICES.items()))
+
 
 def run(settings: Settings, judge: Judge) -> Result:
     """Solve every programme; what the solver calls valid the exact checker has to call valid."""
@@ -53,12 +60,21 @@ def run(settings: Settings, judge: Judge) -> Result:
         "candidates keep all hard rules of the base profile, how many a second (of the clock, and of processor time of "
         "all threads), how many topologies among them (rooms of one kind are not told apart), and what the exact "
         "checker says of them. First: seconds of a call for 16 candidates. The rival is CP-SAT, one plan at a time, "
-        "where one storey in a rectangle is asked for.",
+        "where one storey in a rectangle is asked for. Faults: what a strict architect objects to in one plan of each "
+        "programme (benchmarks/data/plan_faults.yaml).",
     )
     table = result.add("programmes", "By programme", COLUMNS)
     names = settings.kinds or (programme_names()[:2] if settings.quick else programme_names())
+    faults: dict[str, Counter[str]] = {choice: Counter() for choice in CHOICES}
     for name in names:
-        table.rows.append(_row(name, settings, result))
+        row, solution = _row(name, settings, result)
+        table.rows.append(row)
+        for choice, more in _faults(solution).items():
+            faults[choice].update(more)
+    result.add("faults", "What a strict architect objects to, by kind", FAULTS).rows += [
+        {"kind": row.id, "says": row.says, **{choice: found[row.id] for choice, found in faults.items()}}
+        for row in strict().rows
+    ]
     total = _total(table.rows)
     table.rows.append(total)
     for row in table.rows:
@@ -70,7 +86,7 @@ def run(settings: Settings, judge: Judge) -> Result:
     return result
 
 
-def _row(name: str, settings: Settings, result: Result) -> dict[str, Any]:
+def _row(name: str, settings: Settings, result: Result) -> tuple[dict[str, Any], PlanSolution]:
     programme = Programme.example(name)
     envelope = envelope_for(programme, settings.seed)
     options = {"device": settings.device, "seed": settings.seed}
@@ -88,7 +104,7 @@ def _row(name: str, settings: Settings, result: Result) -> dict[str, Any]:
     if not good:
         result.notes.append(f"{name}: {solution.explanation}")
     rival, how = _rival(name, settings)
-    return {
+    row = {
         "programme": name,
         "rooms": len(solution.plan.programme.rooms),
         "storeys": programme.storeys,
@@ -104,6 +120,17 @@ def _row(name: str, settings: Settings, result: Result) -> dict[str, Any]:
         "rival": rival,
         "how": how,
     }
+    return row, solution
+
+
+def _faults(solution: PlanSolution) -> Mapping[str, Counter[str]]:
+    """Faults of the plans of `CHOICES`; nothing where no plan is valid."""
+    valid = solution.valid
+    if not len(valid):
+        return {}
+    homes = solution.ranked()[0][0], solution.best, solution.home(int(valid[len(valid) // 2]))
+    programme = solution.plan.programme
+    return {choice: plan_faults(home, programme) for choice, home in zip(CHOICES, homes, strict=True)}
 
 
 def _checked(solution: PlanSolution) -> tuple[int, list[str]]:

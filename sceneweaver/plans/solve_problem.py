@@ -301,6 +301,7 @@ def _flags(room: RoomSpec, programme: Programme, rows: Rows) -> int:
         tables.QUIET: "sleeping" in roles and "living" not in roles,
         tables.SLIDING: bool(roles & {"service", "annex"}),
         tables.LIVING: rows.selected("living-first", room, "to"),
+        tables.MASTER: rows.selected("master-largest", room, "to"),
         tables.DAY: rows.selected("toilet-not-at-kitchen", room, "to"),
         tables.TOILET: rows.selected("toilet-not-at-kitchen", room),
         tables.TWO_SIDED: rows.selected("two-sides", room),
@@ -430,6 +431,7 @@ def _weights(rows: Rows) -> Any:
         "toilet_doors": rows.slope("toilet-not-at-kitchen"),
         "halls": rows.slope("hall-modest"),
         "bedrooms": rows.slope("living-largest"),
+        "master": rows.slope("master-largest"),
         "two_sides": rows.slope("two-sides"),
         "living_first": rows.slope("living-first"),
     }

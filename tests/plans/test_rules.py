@@ -235,6 +235,10 @@ SOFT: dict[str, tuple[Change, str]] = {
         resized("living", 5.1, 0.3, 8.6, 7.1),
         "bedroom: floor beyond that of living is 0.68 m2; at most 0.00 m2",
     ),
+    "master-largest": (
+        retyped(bedroom="bedroom", child="master_bedroom"),
+        "bedroom: floor beyond that of child is 17.46 m2; at most 0.00 m2",
+    ),
     "kitchen-door": (lambda data: None, "kitchen: it opens to none of eating, living"),
     "living-first": (
         retyped(kitchen="guest_room"),

@@ -16,7 +16,8 @@ from sceneweaver.plans.solve_run import new_state
 ROWS = {
     "flat-2-bedrooms": (
         "bath-shape", "toilet-shape", "kitchen-shape", "service-shape", "hall-shape", "hall-plain", "hall-modest",
-        "room-whole", "living-largest", "living-first", "two-sides", "aspect-good", "toilet-not-at-kitchen",
+        "room-whole", "living-largest", "master-largest", "living-first", "two-sides", "aspect-good",
+        "toilet-not-at-kitchen",
     ),
     "house-3-bedrooms": ("bedrooms-apart", "hall-plain", "bath-shape"),
 }  # fmt: skip
