@@ -32,7 +32,7 @@ def furnished(found):
 
 
 def test_proposals_are_valid_and_differ(found):
-    assert 1 <= len(found.plans) <= 3 and found.programme == TINY and found.profile == "base"
+    assert 1 <= len(found.plans) <= 3 and found.programme == TINY and found.profile.name == "base"
     assert all(check_plan(plan.home, TINY, found.profile).valid for plan in found.plans)
     assert len({plan.home.dumps() for plan in found.plans}) == len(found.plans)
     again = propose_plans(programme=TINY, plans=64, count=3, seed=4, device="cpu")
@@ -41,7 +41,7 @@ def test_proposals_are_valid_and_differ(found):
 
 def test_words_say_profile_and_prompt():
     found = propose_plans("a one-bedroom flat for somebody in a wheelchair", plans=128, count=1, device="cpu")
-    assert found.profile == "accessible" and found.plans[0].home.prompt.startswith("a one-bedroom flat")
+    assert found.profile.name == "accessible" and found.plans[0].home.prompt.startswith("a one-bedroom flat")
 
 
 @pytest.mark.parametrize(
