@@ -78,6 +78,10 @@ class ProblemCase:
     best_layout: np.ndarray | None = None
     _compiled: dict[str, Problem] = field(default_factory=dict, init=False, repr=False)
 
+    def __getstate__(self) -> dict[str, Any]:
+        """What another process gets: it compiles for itself."""
+        return vars(self) | {"_compiled": {}}
+
     def __repr__(self) -> str:
         kind = "feasible" if self.feasible else "infeasible"
         return f"ProblemCase({self.name!r}, {len(self.scene.objects)} objects, {kind}, version {self.version})"

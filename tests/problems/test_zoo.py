@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -69,6 +70,14 @@ def test_a_hash_is_that_of_the_canonical_bytes_and_notices_a_millimetre():
     moved = np.array(case.witness) + np.float32([0.001, 0, 0, 0])
     with pytest.raises(InputError, match="its hash is"):
         problems.verify(dataclasses.replace(case, witness=moved))
+
+
+def test_a_problem_that_was_compiled_goes_to_other_processes():
+    case = problems.load("packing/n005-t60")
+    first = case.compile("cpu")
+    other = pickle.loads(pickle.dumps(case))
+    assert other.hash == case.hash and other.compile("cpu") is not first
+    assert case.compile("cpu") is first
 
 
 def test_a_wrong_witness_is_noticed_even_with_a_hash_of_its_own():
