@@ -8,7 +8,7 @@ leaves and of what lies right before other doors.
 import warp as wp
 
 from .array_access import item
-from .plan_geometry import facade_overlap, has, owner_of, shared_wall, takes_doors
+from .plan_geometry import facade_overlap, has, next_cell, owner_of, shared_wall, takes_doors
 from .plan_tables import CIRCULATION, ENTRANCE, HINGED, MAX_DOORS, OPEN, PASSAGE, SLIDES, SLIDING, PlanProblemRef
 
 wp.set_module_options({"enable_backward": False})
@@ -91,8 +91,9 @@ def place_door(
     """
     best = int(NO_PLACE)
     empty = wp.vec4i(0, 0, 0, 0)
-    for i in range(count):
-        if storey[i] >= 0 and owner_of(p, frame, i) == a and takes_doors(p, frame, i):
+    i = next_cell(p, frame, count, storey, a, -1)
+    while i < count:
+        if takes_doors(p, frame, i):
             ca = cells[i]
             others = count
             if b < 0:
@@ -187,6 +188,7 @@ def place_door(
                                     record[8] = 0
                                     if option < 2:
                                         record[8] = hinge_of(in_side, at_low)
+        i = next_cell(p, frame, count, storey, a, i)
     return best
 
 

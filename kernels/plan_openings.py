@@ -4,7 +4,7 @@ import warp as wp
 
 from .array_access import item
 from .plan_doors import is_free, place_doors
-from .plan_geometry import FAR, has, owner_of, takes_doors
+from .plan_geometry import FAR, has, next_cell, takes_doors
 from .plan_measures import NOT_VALID
 from .plan_tables import ANNEX, CIRCULATION, LIVING, QUIET, SOFT_ENDS, SOFT_FIRST, TURNING, PlanProblemRef
 from .plan_windows import place_windows
@@ -28,8 +28,9 @@ def turning_holds(
 ):
     """Whether a square to turn in fits into one of a room's cells, beside all leaves: at a wall, or at a leaf."""
     t = p[0].turning
-    for i in range(count):
-        if storey[i] >= 0 and owner_of(p, frame, i) == room and takes_doors(p, frame, i):
+    i = next_cell(p, frame, count, storey, room, -1)
+    while i < count:
+        if takes_doors(p, frame, i):
             c = cells[i]
             for kx in range(2 + 2 * doors):
                 x = c[0]
@@ -47,6 +48,7 @@ def turning_holds(
                         if y >= c[1] and y + t <= c[3]:
                             if is_free(wp.vec4i(x, y, x + t, y + t), storey[i], leaves, leaf_level, doors):
                                 return True
+        i = next_cell(p, frame, count, storey, room, i)
     return False
 
 
@@ -86,12 +88,13 @@ def dead_ends(
     for r in range(p[0].rooms):
         if has(p, r, CIRCULATION):
             hull = wp.vec4i(FAR, FAR, -FAR, -FAR)
-            for i in range(count):
-                if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                    c = cells[i]
-                    hull = wp.vec4i(
-                        wp.min(hull[0], c[0]), wp.min(hull[1], c[1]), wp.max(hull[2], c[2]), wp.max(hull[3], c[3])
-                    )
+            i = next_cell(p, frame, count, storey, r, -1)
+            while i < count:
+                c = cells[i]
+                hull = wp.vec4i(
+                    wp.min(hull[0], c[0]), wp.min(hull[1], c[1]), wp.max(hull[2], c[2]), wp.max(hull[3], c[3])
+                )
+                i = next_cell(p, frame, count, storey, r, i)
             reach = int(0)
             for axis in range(2):
                 first = int(hull[axis + 2])

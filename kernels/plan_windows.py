@@ -3,7 +3,7 @@
 import warp as wp
 
 from .array_access import item
-from .plan_geometry import facade_overlap, has, owner_of
+from .plan_geometry import facade_overlap, has, next_cell
 from .plan_measures import window_need
 from .plan_tables import GLAZED, LIT, MAX_WINDOWS, PUBLIC, WET, WINDOWS, PlanProblemRef
 
@@ -108,15 +108,16 @@ def place_windows(
             longest = int(0)
             best_cell = int(-1)
             best_facade = int(-1)
-            for i in range(count):
-                if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                    for f in range(p[0].facade.shape[0]):
-                        s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
-                        total += s[1] - s[0]
-                        if s[1] - s[0] > longest:
-                            longest = s[1] - s[0]
-                            best_cell = i
-                            best_facade = f
+            i = next_cell(p, frame, count, storey, r, -1)
+            while i < count:
+                for f in range(p[0].facade.shape[0]):
+                    s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
+                    total += s[1] - s[0]
+                    if s[1] - s[0] > longest:
+                        longest = s[1] - s[0]
+                        best_cell = i
+                        best_facade = f
+                i = next_cell(p, frame, count, storey, r, i)
             begin = n
             if longest > 0:
                 wish = wp.min(wish, total)
@@ -124,13 +125,14 @@ def place_windows(
                     s = free_facade(p, cells[best_cell], storey[best_cell], best_facade, doors, n_doors)
                     n = add_windows(p, r, best_facade, s, wish, n, windows)
                 else:
-                    for i in range(count):
-                        if storey[i] >= 0 and owner_of(p, frame, i) == r:
-                            for f in range(p[0].facade.shape[0]):
-                                s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
-                                if s[1] > s[0]:
-                                    part = float(wish) * float(s[1] - s[0]) / float(total)
-                                    n = add_windows(p, r, f, s, int(wp.ceil(part)), n, windows)
+                    i = next_cell(p, frame, count, storey, r, -1)
+                    while i < count:
+                        for f in range(p[0].facade.shape[0]):
+                            s = free_facade(p, cells[i], storey[i], f, doors, n_doors)
+                            if s[1] > s[0]:
+                                part = float(wish) * float(s[1] - s[0]) / float(total)
+                                n = add_windows(p, r, f, s, int(wp.ceil(part)), n, windows)
+                        i = next_cell(p, frame, count, storey, r, i)
             got = int(0)
             for k in range(begin, n):
                 got += windows[k, 4]

@@ -90,11 +90,11 @@ def rank_plans(
         programme, envelope, candidates=candidates, seed=seed, profile=profile, device=device, time_limit=time_limit
     )
     found, broken = list[tuple[float, int, Home, PlanReport, dict[str, float]]](), ""
-    for number, (plain, _) in enumerate(solution.ranked()[:COMPARED]):
+    for number, (plain, judged) in enumerate(solution.ranked()[:COMPARED]):
         home = with_sills(plain)
-        report = check_plan(home, programme, profile)
-        if not report.valid and home != plain:  # the window is lower than the furniture likes, but the room has light
-            home, report = plain, check_plan(plain, programme, profile)
+        report = judged if home == plain else check_plan(home, programme, profile)
+        if not report.valid:  # the window is lower than the furniture likes, but the room has light
+            home, report = plain, judged
         if not report.valid:
             broken = broken or "; ".join(v.detail for v in report.violations[:3])
             continue

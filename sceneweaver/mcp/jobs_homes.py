@@ -45,7 +45,7 @@ def design_home(job: Job, *, prompt: str, out: str, profile: str | None, **optio
     return {
         "home": result.home,
         "report": {**result.report.to_dict(), "valid": result.valid, "plan": result.plan_report.to_dict()},
-        "basis": {"programme": asked.programme.dumps(), "profile": asked.profile},
+        "basis": {"programme": result.programme.dumps(), "profile": asked.profile},
         "review": result.to_dict(),
         "rooms": _rooms(result.rooms),
         "unmet": list(result.unmet),
