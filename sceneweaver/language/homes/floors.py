@@ -153,7 +153,7 @@ def _over_room(reading: Reading, sentence: range, names: list[Named], at: int) -
 
 
 def _sleepers(reading: Reading, sentence: range, at: int) -> bool:
-    """ "Upstairs all the sleeping", "everybody sleeps on the upper floor": where all bedrooms are."""
+    """ "Upstairs everybody sleeps", "all of us sleep on the upper floor": where all bedrooms are."""
     tokens = reading.tokens
     start = max((k + 1 for k in range(sentence.start, at) if tokens[k].breaks), default=sentence.start)
     stop = min((k for k in range(at + 1, sentence.stop) if tokens[k].breaks), default=sentence.stop)

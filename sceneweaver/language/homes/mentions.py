@@ -154,7 +154,7 @@ def _another(reading: Reading, at: int) -> Named | None:
 
 
 def _sleeper(reading: Reading, at: int) -> Named | None:
-    """ "Grandad sleeps downstairs", "the boys together in bunk beds": their bedroom."""
+    """ "Grandad sleeps downstairs", "the twins together in one big bed": their bedroom."""
     before = reading.tokens[at - 1] if at else None
     kinds = {
         "seniors": "senior_bedroom",
@@ -384,7 +384,7 @@ def _heads(token: Token) -> bool:
 
 
 def _worked_in(tokens: Sequence[Token], at: int) -> bool:
-    """Whether a room is where somebody works elsewhere: "I work nights on a ward", but not "works in the study"."""
+    """Whether a room is where somebody works elsewhere: "she teaches in a classroom", but not "works in the study"."""
     if at < 3 or tokens[at - 1].text not in ("a", "an") or tokens[at - 2].text not in ("at", "in", "on"):
         return False
     for token in reversed(tokens[max(0, at - 6) : at - 2]):

@@ -56,7 +56,7 @@ def one_more_for(reading: Reading, last: Named, at: int) -> bool:
 
 
 def in_its_own(tokens: Sequence[Token], at: int) -> bool:
-    """ "The safe in its own closed room": no room more than the one that is named so."""
+    """ "The kiln in its own locked room": no room more than the one that is named so."""
     return any(tokens[k].text == "its" and tokens[k - 1].text == "in" for k in range(max(1, at - 4), at))
 
 

@@ -143,7 +143,7 @@ def _behind_rooms(reading: Reading, sentence: range) -> None:
         while end < sentence.stop and not tokens[end].breaks and not any(n.first == end for n in reading.named):
             whose = tokens[end].done == "people" and end + 1 < sentence.stop and is_thing(tokens[end + 1])
             if tokens[end].text in ("is", "are") and tokens[end - 1].has("me", "we", "person"):
-                break  # "a smaller one for me is fine"
+                break  # "a little one will do for us"
             if tokens[end].done not in ("", "request") and not whose or tokens[end].has("storey"):
                 break
             end += 1

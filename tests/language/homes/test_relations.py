@@ -62,7 +62,7 @@ def test_storeys_of_clauses():
 
 
 def test_storeys_of_those_who_sleep_and_live_there():
-    found = storeys("House on two storeys, upstairs all the sleeping, downstairs a study, for a couple with twins")
+    found = storeys("House on two storeys, upstairs everybody sleeps, downstairs a study, for a couple with twins")
     assert (found["master_bedroom"], found["childrens_room"], found["study"]) == (1, 1, 0)
     found = storeys("House with two floors: a shop and a garage at the bottom. Upstairs a flat with one bedroom.")
     assert (found["bedroom"], found["living_room"], found["kitchen"], found["garage"]) == (1, 1, 1, 0)
@@ -129,7 +129,7 @@ def test_corridors_of_a_width_are_one_corridor():
 def test_things_are_where_their_clause_says():
     found = wishes(
         "Law firm. Reception facing the entrance with a sofa and six guest chairs, two offices each with a bookcase, "
-        "an archive room without windows lined with shelves, a toilet"
+        "an archive with steel shelves on each wall and no windows, a toilet"
     )
     assert "chairs" in found["reception"] and "shelves" in found["archive"] and "bookcase" in found["private_office"]
     assert "chairs" not in found["private_office"]
