@@ -34,6 +34,7 @@ from benchmarks.rivals import RIVALS
 from benchmarks.rooms import ROOMS
 from benchmarks.settings import OUT, ROOT, Settings
 from sceneweaver.knowledge import room_types
+from sceneweaver.plans import programme_names
 from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import SceneWeaverError
 
@@ -96,6 +97,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")
     p.add_argument("--kinds", default="", metavar="A,B", help="kinds of rooms to design, with commas between them")
+    p.add_argument("--programmes", default="", metavar="A,B", help="programmes of homes, with commas between them")
     p.add_argument("--variants", nargs="+", default=[], choices=ablations.VARIANTS, help="variants of the ablations")
     p.add_argument("--designs", nargs="+", type=Path, default=[], metavar="DIR", help="designs to read, not to make")
     p.add_argument("--all", action="store_true", help="all rooms of the zoo where a family takes only some")
@@ -131,6 +133,7 @@ def _settings(options: argparse.Namespace) -> Settings:
     return Settings(
         rooms=_names(options.rooms, ROOMS, "room"),
         kinds=_names(options.kinds, tuple(room_types()), "kind of room"),
+        programmes=_names(options.programmes, programme_names(), "programme"),
         variants=tuple(options.variants),
         designs=tuple(options.designs),
         device=resolve(options.device),

@@ -17,6 +17,7 @@ class Settings:
     Attributes:
         rooms: zoo rooms to use; empty: those of the family.
         kinds: kinds of rooms to design; empty: those of the family.
+        programmes: programmes of homes to plan; empty: those of the family.
         variants: variants of the agent to compare; empty: all of the family.
         designs: designs that were made before, for a family that reads such; empty: it makes new ones.
         device: as for ``sceneweaver.refine``.
@@ -33,6 +34,7 @@ class Settings:
 
     rooms: tuple[str, ...] = ()
     kinds: tuple[str, ...] = ()
+    programmes: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     designs: tuple[Path, ...] = ()
     device: str = "auto"

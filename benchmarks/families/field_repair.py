@@ -115,7 +115,11 @@ def _given(source: dict[str, Any], bodies: str, settings: Settings, result: Resu
             result.notes.append(f"{name}: left out, {why}")
         return
     table = _table(source, settings)
-    options: dict[str, Any] = {"assets": bodies, "sizes": None if table is None else load_sizes(table)}
+    options: dict[str, Any] = {
+        "assets": bodies,
+        "folder": _assets(source, settings),
+        "sizes": None if table is None else load_sizes(table),
+    }
     count = 0
     for file in files:
         try:
@@ -136,9 +140,15 @@ def _table(source: dict[str, Any], settings: Settings) -> Path | None:
     return next((f for folder in settings.designs for f in Path(folder).glob(source.get("sizes", "-"))), None)
 
 
+def _assets(source: dict[str, Any], settings: Settings) -> Path | None:
+    """The folder with what is known of the assets of a set."""
+    return next((f for folder in settings.designs for f in Path(folder).glob(source.get("assets", "-"))), None)
+
+
 def _unsized(source: dict[str, Any], settings: Settings) -> bool:
     """Whether nothing says how large the objects of a set are."""
-    return source.get("unsized", False) and _table(source, settings) is None
+    told = _table(source, settings) or _assets(source, settings)
+    return source.get("unsized", False) and told is None
 
 
 def _repaired(given: Sequence[Given], settings: Settings, candidates: int) -> tuple[list[Row], list[Row], float]:

@@ -65,7 +65,7 @@ def run(settings: Settings, judge: Judge) -> Result:
         "environment follows the shortest way.",
     )
     table = result.add("homes", "By programme", COLUMNS)
-    names = settings.kinds or PROGRAMMES[: 1 if settings.quick else None]
+    names = settings.programmes or PROGRAMMES[: 1 if settings.quick else None]
     table.rows += parallel.each(_row, [(name, settings.quick, settings.seed) for name in names], settings.jobs)
     for row in table.rows:
         if not row["apart"] <= AGREED:

@@ -17,8 +17,10 @@ from sceneweaver.plans import Programme, check_plan, envelope_for, programme_nam
 from sceneweaver.plans.solve_problem import compile_plan
 from sceneweaver.plans.solve_solution import PlanSolution
 
-CPU, GPU, QUICK = 384, 65536, 16
+CPU, GPU, QUICK = 384, 262_144, 16
 """Candidates of a programme."""
+ATTEMPTS = {"cpu": 16, "cuda": 4}
+"""Attempts of a candidate: a GPU finds more valid plans a second among many candidates that are given up early."""
 CHECKED = 100
 """Plans of a programme that the exact checker looks at: the best, the worst and those evenly in between; on a GPU as
 many."""
@@ -64,7 +66,7 @@ def run(settings: Settings, judge: Judge) -> Result:
         "programme (benchmarks/data/plan_faults.yaml).",
     )
     table = result.add("programmes", "By programme", COLUMNS)
-    names = settings.kinds or (programme_names()[:2] if settings.quick else programme_names())
+    names = settings.programmes or (programme_names()[:2] if settings.quick else programme_names())
     faults: dict[str, Counter[str]] = {choice: Counter() for choice in CHOICES}
     for name in names:
         row, solution = _row(name, settings, result)
@@ -89,11 +91,12 @@ def run(settings: Settings, judge: Judge) -> Result:
 def _row(name: str, settings: Settings, result: Result) -> tuple[dict[str, Any], PlanSolution]:
     programme = Programme.example(name)
     envelope = envelope_for(programme, settings.seed)
+    kind = "cuda" if settings.device.startswith("cuda") else "cpu"
     options = {"device": settings.device, "seed": settings.seed}
     solve_plans(programme, envelope, candidates=16, rounds=1, moves=1, **options)  # kernels are compiled
-    count = settings.size(GPU if settings.device.startswith("cuda") else CPU, QUICK)
+    count = settings.size(GPU if kind == "cuda" else CPU, QUICK)
     began, cpu = time.perf_counter(), time.process_time()
-    solution = solve_plans(programme, envelope, candidates=count, **options)
+    solution = solve_plans(programme, envelope, candidates=count, rounds=ATTEMPTS[kind], **options)
     seconds, cpu = time.perf_counter() - began, time.process_time() - cpu
     began = time.perf_counter()
     few = solve_plans(programme, envelope, candidates=16, **options)

@@ -370,6 +370,19 @@ def test_houses_a_line(tmp_path):
     assert len([line for line in lines if "line 3" in line]) == 1
 
 
+def test_early_houses_whose_ids_tell_no_type(tmp_path):
+    """There the database of assets says what a thing is, or else the name of the asset."""
+    written(tmp_path, "assets/asset-database.json", ASSETS)
+    house = json.loads(json.dumps(KITCHEN))
+    counter = house["objects"][0]
+    counter["id"], counter["children"][0]["id"] = "2|0", "small|2|0"
+    file = written(tmp_path, "house.json", house)
+    things = things_of(rooms_of("ai2thor", file, tmp_path / "assets")["room|2"])
+    assert (things["2|0"].label, things["small|2|0"].label) == ("CounterTop", "Book_17")
+    things = things_of(rooms_of("ai2thor", file)["room|2"])
+    assert things["2|0"].label == "Countertop_L_4x4"
+
+
 def test_from_file_to_judge(tmp_path):
     """What is apart in the file is apart in the scene; moved into each other, the judge finds it."""
     boxes = {"ccc": (0.9, 0.6, 0.05), "ddd": (0.2, 0.42, 0.15)}

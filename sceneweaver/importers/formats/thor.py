@@ -16,7 +16,7 @@ from .. import frames
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..plans import room_at
 from ..sizes import Size
-from ..thor_assets import box
+from ..thor_assets import known_asset
 from ..thor_walls import openings_of, wall_heights
 from ..values import Entry
 
@@ -33,6 +33,9 @@ _KINDS: tuple[tuple[str, Mount], ...] = (
     ("ceiling_objects", "ceiling"),
     ("small_objects", "surface"),
 )
+_COUNTED = re.compile(r"\d+|small")
+"""What ids begin with that tell no type."""
+
 _LINES = (".jsonl", ".jsonl.gz", ".ndjson")
 _LOOKED = 2**22
 """Bytes that are unpacked to recognise a file."""
@@ -134,13 +137,14 @@ def _thing(item: Entry, home: _Home, parent: str | None, parent_room: str | None
     # Unity turns about z, then x, then y, all about the room's axes
     theirs = frames.euler_matrix((turn[2], turn[0], turn[1]), "zxy")
     size = _size(item, mount, position[2]) if item.has("vertices") else None
+    known = known_asset(home.sizes, asset)
     home.things[room].append(
         SourceObject(
             name,
-            _label(item, name),
+            _label(item, name, asset, "" if known is None else known.kind),
             (float(position[0]), float(position[1]), float(position[2])),
             frames.rotation(frames.UNITY, theirs) @ _TURN,
-            _scaled(box(home.sizes, asset), item) or size,
+            size if known is None else _scaled(known.size, item),
             asset=asset or None,
             support=parent or _receptacle(name, home),
             mount=mount,
@@ -169,18 +173,24 @@ def _receptacle(name: str, home: _Home) -> str | None:
     return carrier if carrier in home.ids else None
 
 
-def _scaled(size: Size | None, item: Entry) -> Size | None:
+def _scaled(size: Size, item: Entry) -> Size:
     """The box of an asset, as large as the house has it."""
-    if size is None or not item.has("scale"):
+    if not item.has("scale"):
         return size
     x, y, z = item["scale"].named("xyz", 0.0)
     depth, width, height = size
     return item["scale"].sides((depth * z, width * x, height * y))
 
 
-def _label(item: Entry, name: str) -> str:
-    """Holodeck's own name of a thing, or the type that a ProcTHOR id begins with."""
-    return re.sub(r"-\d+$", "", item.word("object_name") or re.split(r"\||\s\(", name)[0]) or name
+def _label(item: Entry, name: str, asset: str, kind: str) -> str:
+    """Holodeck's own name of a thing, or the type that a ProcTHOR id begins with.
+
+    Early houses of ProcTHOR begin ids with the number of the room, or with "small": there the asset tells.
+    """
+    own = item.word("object_name") or re.split(r"\||\s\(", name)[0]
+    if asset and not item.word("object_name") and _COUNTED.fullmatch(own):
+        return kind or asset.removeprefix("RoboTHOR_")
+    return re.sub(r"-\d+$", "", own) or name
 
 
 def _size(item: Entry, mount: Mount | None, middle: float) -> Size | None:
