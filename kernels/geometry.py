@@ -19,6 +19,9 @@ wp.set_module_options({"enable_backward": False})
 
 FAR = wp.constant(1.0e6)
 
+OUTSIDE_TOP = wp.constant(1.0e3)
+"""Height [m] up to which prisms reach that stand for the outside of a room, and none else."""
+
 
 @wp.func
 def turn(q: wp.vec2, v: wp.vec2):
@@ -52,8 +55,12 @@ def wrap(angle: wp.float32, period: wp.float32):
 
 @wp.func
 def overlap_in_z(za: wp.float32, a: wp.vec2, zb: wp.float32, b: wp.vec2, least: wp.float32):
-    """True when two z intervals overlap by more than the least: z decides whether, never how."""
-    return wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0]) > least
+    """True when two z intervals overlap by more than the least: z decides whether, never how.
+
+    What is outside of the room is so at all heights, and a body however thin (a rug) has to stay out of it.
+    """
+    shared = wp.min(za + a[1], zb + b[1]) - wp.max(za + a[0], zb + b[0])
+    return shared > least or a[1] >= OUTSIDE_TOP or b[1] >= OUTSIDE_TOP
 
 
 @wp.struct

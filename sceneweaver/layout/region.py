@@ -14,11 +14,12 @@ from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.polygons import convex_pieces, tidy
 from sceneweaver.geometry.shell import clear_zone, heights
 from sceneweaver.geometry.walls import Wall, walls_of
+from sceneweaver.kernels.geometry import OUTSIDE_TOP
 from sceneweaver.scene import Room
 
 from .shapes import Prism
 
-EVERYWHERE = (-1.0e3, 1.0e3)
+EVERYWHERE = (-OUTSIDE_TOP, OUTSIDE_TOP)
 
 
 @dataclass

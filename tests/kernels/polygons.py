@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sceneweaver.layout.region import EVERYWHERE
 from sceneweaver.layout.shapes import Prism
 
 Array = np.ndarray
@@ -65,7 +66,12 @@ def distance(a: Array, b: Array) -> Array:
 
 
 def shared_height(a: Prism, za: Array, b: Prism, zb: Array) -> Array:
-    """Length that the z intervals of two prisms have in common; negative when they are apart."""
+    """Length that the z intervals of two prisms have in common; negative when they are apart.
+
+    What is outside of the room is so at all heights, also for what has next to none itself.
+    """
+    if EVERYWHERE in (tuple(a.z), tuple(b.z)):
+        return np.full(np.broadcast(za, zb).shape, np.inf)
     return np.minimum(za + a.z[1], zb + b.z[1]) - np.maximum(za + a.z[0], zb + b.z[0])
 
 

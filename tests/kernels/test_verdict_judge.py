@@ -185,3 +185,20 @@ def test_gallery(device):
     solved = refine(compiled.scene, candidates=48, seed=1, device=device, steps=3).poses
     counts = compare(compiled, as_float32(solved), device)
     assert counts.valid > 0
+
+
+@pytest.mark.parametrize("thickness", [0.0004, 0.02])
+def test_a_rug_however_thin_stays_out_of_a_reentrant_corner(device, thickness):
+    """What is outside of the room is so at all heights: a rug of less than the shared height that counts as well."""
+    outline = [[0.6, 0.0], [2.0, 0.0], [2.0, 4.0], [0.0, 4.0], [0.0, 0.8], [0.6, 0.8]]
+    rng = np.random.default_rng(5)
+    compiled = compile_scene(scene([box("rug", (0.6, 1.6, thickness), 1.3, 2.0)], outline=outline))
+    layouts = np.zeros((200, 1, 4))
+    layouts[:, 0, :2] = rng.uniform((0.0, 0.0), (2.0, 4.0), size=(200, 2))
+    layouts[:, 0, 3] = rng.uniform(-np.pi, np.pi, size=200)
+    counts = compare(compiled, as_float32(layouts), device)
+    assert 0 < counts.valid < 200
+    solved = refine(compiled.scene, candidates=32, seed=1, device=device)
+    assert (solved.status == 0).all()
+    counts = compare(compiled, np.asarray(solved.poses, dtype=np.float64), device)
+    assert counts.valid == counts.judged_valid == 32
