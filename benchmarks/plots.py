@@ -71,7 +71,8 @@ def _draw(plot: Plot, table: Table, path: Path, machine: dict[str, Any]) -> Path
     axes.set_title(plot.title)
     axes.grid(alpha=0.3)
     if len(groups) * len(plot.y) > 1:
-        figure.legend(loc="outside lower left", ncols=4, fontsize=8)
+        letters = sum(len(name) for name in groups) * len(plot.y)
+        figure.legend(loc="outside lower left", ncols=4 if letters <= 48 else 2, fontsize=8)
     figure.supxlabel(
         f"{machine.get('device_name', '')}, commit {machine.get('commit', '')}", fontsize=7, x=1, ha="right"
     )

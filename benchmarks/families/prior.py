@@ -48,6 +48,7 @@ COLUMNS = (
     Column("drawing", "drawing [s]", "number"),
     Column("seconds", "seconds", "number"),
     Column("valid", "valid", "share"),
+    Column("layouts", "valid layouts", "number"),
     Column("rate", "valid / s", "number"),
     Column("energy", "energy, median [m]", "number"),
     Column("best", "points lost, best", "number"),
@@ -129,7 +130,10 @@ def run(settings: Settings, judge: Judge) -> Result:
     detail = result.add("detail", "Every call", [Column(k, k, "number") for k in rows[0]], keys=3)
     detail.detail = True
     detail.rows += rows
-    result.plots.append(Plot("prior", "Points lost against seconds", "prior", "seconds", ("best",), "init", log_x=True))
+    result.plots += [
+        Plot(name, f"{title} against seconds", "prior", "seconds", (key,), "line", log_x=True)
+        for name, title, key in (("valid", "Valid layouts", "layouts"), ("points", "Points lost", "best"))
+    ]
     wrong = [g for g in grades if not g["valid"]]
     result.failures += [f"{g['kind']} {g['seed']}: the judge finds {g['faults']} in a valid layout" for g in wrong]
     result.notes.append(f"Prior: {LayoutPrior.load().about}.")
@@ -245,6 +249,8 @@ def _row(rooms: str, init: str, size: int, rows: list[dict[str, Any]]) -> dict[s
         "seconds": seconds,
         "drawing": mean("drawing"),
         "valid": valid / size,
+        "layouts": valid,
+        "line": f"{rooms}, {'own starts' if init == 'sample' else init}",
         "rate": valid / seconds,
         **{key: mean(key) for key in ("energy", "best", "median", "spread")},
     }
