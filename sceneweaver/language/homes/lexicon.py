@@ -126,6 +126,7 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         "them",
         "soft",
         "vague",
+        "unmeasured",
         "units",
         "shared_by",
     ):
