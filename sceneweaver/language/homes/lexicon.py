@@ -110,6 +110,9 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         put(names, "size", float(factor))
     for joint, names in words["joints"].items():
         put(names, "joint", joint)
+    for side, names in words["sides"].items():
+        put(names, "side", side)
+    put(words["alone"], "alone")
     for place, names in words["places"].items():
         put(names, "place", place)
     for storey, names in words["storeys"].items():

@@ -60,6 +60,8 @@ class Named:
     open: bool = False
     storey: str | None = None
     accessible: bool = False
+    alone: Span | None = None
+    """Where it says that nobody is to be behind its walls."""
     daylight: bool | None = None
     looks: list[str] = field(default_factory=list[str])
     wishes: list[str] = field(default_factory=list[str])

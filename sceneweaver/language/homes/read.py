@@ -22,6 +22,7 @@ from .needed import add_needed
 from .outside import read_outside
 from .owners import read_owners
 from .parts import Joint, Named, Reading
+from .relations import read_relations
 from .residents import people_told, settle
 from .resolve import Room, bedroomlike, resolve
 from .site import read_site
@@ -119,6 +120,7 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     read_mentions(reading)
     read_owners(reading)
     read_outside(reading)
+    read_relations(reading)
     read_joints(reading)
     read_floors(reading)
     read_widths(reading)
