@@ -115,7 +115,9 @@ def pairs_of(joint: Joint) -> list[tuple[str, str]]:
         return []
     if joint.a is joint.b or joint.a.root is joint.b.root and a == b:
         return [(a[i], a[k]) for i in range(len(a)) for k in range(i + 1, len(a))]
-    if joint.kind == "apart":
+    if joint.how == "opposite" and len(a) < len(b):
+        return [(x, next((y for y in b if y != x), x)) for x in a]
+    if joint.kind == "apart" or joint.how:
         return [(x, y) for x in a for y in b if x != y]
     if len(a) == len(b):
         return [(x, y) for x, y in zip(a, b, strict=True) if x != y]

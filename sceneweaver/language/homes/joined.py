@@ -7,6 +7,7 @@ from typing import Any
 from sceneweaver.plans.programme import AdjacencyKind
 
 from .lexicon import data
+from .owners import is_own
 from .parts import Joint, Named, Reading
 from .pronouns import PER_EACH, read_pronouns
 from .relations import deny, is_denied, no_room
@@ -226,6 +227,8 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         private = tokens[at].has("joint") or any(
             t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at]
         )
+        if is_own(tokens[one.last + 1 : one.last + 4]):
+            private = True  # "with a bathroom of its own"
         own = private or one.kind.name == "ensuite"
         each = (
             left.of is not None
@@ -325,7 +328,7 @@ def _behind(reading: Reading, names: dict[int, Named], sentence: range, at: int)
             return ""  # "between the two"
         if any(one.first == k for one in reading.named):
             return ""
-        if not (token.text in _GAP or token.has("own", "soft", "size")) or token.breaks:
+        if not (token.text in (*_GAP, "first", "second", "third", "last", "nearest") or token.has("own", "soft", "size")) or token.breaks:
             return None
     return None
 

@@ -10,7 +10,10 @@ from .parts import Reading
 
 _OUT = r"(?:outside|outdoors|garden|yard|courtyard|street)"
 _OWN = re.compile(
-    r"\b(?:its|their|an?|her|his)\s+(?:own|separate|direct)\s+(?:\w+\s+)?(?:door|entrance|access)\b"
+    r"\b(?:(?:its|their|an?|her|his|my|our)\s+)?(?:own|separate|direct|private|independent)\s+"
+    r"(?:(?:front|street|outside|entry|main|side|back|garden)\s+)?(?:door|entrance|entry|access|way in)\b"
+    r"|\b(?:front |street |outside )?(?:door|entrance|way in)\s+of\s+(?:its|their|her|his|my|our)\s+own\b"
+    r"|\b(?:is|be|are)\s+entered\s+(?:separately|from (?:the\s+)?" + _OUT + r")"
     r"|\b(?:its|their)\s+(?:own\s+)?(?:door|entrance)\s+(?:straight\s+)?(?:out|to the " + _OUT + r")"
     r"|\bdoors?\s+(?:of its own\s+)?(?:straight\s+|directly\s+)?(?:out\s+)?(?:to|into)\s+(?:the\s+)?" + _OUT
 )

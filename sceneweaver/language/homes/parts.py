@@ -97,6 +97,8 @@ class Person:
     role: str
     count: int
     span: Span
+    who: str = ""
+    """What somebody who is told alone is called: "mother", also where he is called mum; empty for several."""
 
 
 @dataclass

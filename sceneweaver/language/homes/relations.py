@@ -130,6 +130,9 @@ def _touch(reading: Reading, names: Sequence[Named], sentence: range, at: int) -
         return
     denied = is_denied(tokens, one.last + 1, at)
     deny(reading, one.last + 1, at)
+    for k in range(one.last + 1, at):
+        if tokens[k].text in ("lie", "lies", "lying", "sit", "sits", "stand", "stands", "right", "directly"):
+            reading.did(k, "joint")
     denied = no_room(reading, one) or denied
     reading.joints.append(Joint(one, two, "apart" if denied else "near", tokens[at].span, each=True))
     reading.did(at, "joint")

@@ -11,7 +11,10 @@ from .tokens import Token
 OLDEST = 115
 """Years up to which a number may be somebody's age."""
 
-NEAR = 3
+WHO = 5
+"""Tokens at most of what is said of somebody before the word for him."""
+
+NEAR = 4
 """Tokens between a name and the person who has it."""
 
 
@@ -39,6 +42,21 @@ def is_remark(reading: Reading, clause: range) -> bool:
     ):
         return False
     return not _of_home(reading, clause)
+
+
+def is_of_person(reading: Reading, clause: range, phrase: range) -> bool:
+    """Whether a phrase only says what somebody is or does: "our teenage daughter", "two nurses who work nights"."""
+    tokens, words = reading.tokens, data("remarks")
+    if {word for k in phrase for word in tokens[k].text.split()} & {*words["wishes"]}:
+        return False
+    last = tokens[phrase.stop - 1]
+    if last.has("person", "staff") and last.done and len(phrase) <= WHO:
+        return True
+    who = next((k for k in range(phrase.start - 1, clause.start, -1) if tokens[k].text == "who"), None)
+    if who is None or not tokens[who - 1].has("person", "staff", "visitors", "we", "me"):
+        return False
+    said = {word for k in range(who, phrase.stop) for word in tokens[k].text.split()}
+    return not said & {*words["wishes"]} and not any(tokens[k].has("no") for k in range(who, phrase.stop))
 
 
 def mark_persons(reading: Reading) -> None:

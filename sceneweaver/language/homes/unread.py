@@ -13,7 +13,7 @@ from sceneweaver.language.model import Span, Unread
 
 from .lexicon import data
 from .parts import Reading
-from .remarks import is_remark, mark_persons
+from .remarks import is_of_person, is_remark, mark_persons
 from .tokens import Token
 
 SMALL = ("function", "soft", "own", "each", "no", "them", "equal", "of_them", "animal", "we", "me")
@@ -24,6 +24,9 @@ APART = 3
 
 WHOLE = 12
 """Tokens at most of a clause that is quoted from its beginning."""
+
+_ENDS = ("and", "or", "but", "so", "with", "the", "a", "an", "is", "are", "be", "of", "to", "for", "our", "my", "please", "too")
+"""Words that a phrase does not end with."""
 
 _LEFT_OUT = ("and", "or", "but", "so", "with", "also", "then", "please", "plus", "that", "which", "where", ",", "too")
 """Words that a phrase neither begins nor ends with."""
@@ -42,12 +45,12 @@ def read_rest(reading: Reading) -> tuple[list[Unread], list[Unread]]:
     unread, remarks = list[Unread](), list[Unread]()
     for clause in clauses(reading):
         found = _phrases(reading, clause)
-        if not found:
-            continue
-        if is_remark(reading, clause):
-            remarks.append(_quoted(reading, *_trimmed(reading, clause.start, clause.stop)))
-        else:
-            unread += [_quoted(reading, *_trimmed(reading, *one)) for one in found]
+        whole = bool(found) and is_remark(reading, clause)
+        if whole:
+            remarks.append(_quoted(reading, clause.start, clause.stop))
+        for one in found if not whole else ():
+            kept = remarks if is_of_person(reading, clause, range(*one)) else unread
+            kept.append(_quoted(reading, *_trimmed(reading, *one)))
     return unread, remarks
 
 
@@ -58,18 +61,29 @@ def clauses(reading: Reading) -> Iterator[range]:
         start = sentence.start
         for at in (*sentence, sentence.stop):
             ends = at == sentence.stop or tokens[at].breaks
-            begins = not ends and at > start and tokens[at].text in data("remarks")["begin_clause"]
+            begins = not ends and at > start and _begins_clause(tokens, at)
             if (ends or begins) and at > start:
                 yield range(start, at)
             if ends or begins:
                 start = at + 1 if ends else at
 
 
+def _begins_clause(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether a word begins another clause: "so" only before who or what it is said of."""
+    if tokens[at].text not in data("remarks")["begin_clause"]:
+        return False
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    subject = after is not None and (
+        after.text in (*data("remarks")["persons"], "that", "the", "it", "my", "our", "there", "no") or after.has("person")
+    )
+    return tokens[at].text != "so" or subject
+
+
 def is_open(token: Token) -> bool:
     """Whether a token has a meaning of its own and led to nothing."""
     if token.done or token.breaks or token.text in ("a", "an", "one") or token.text in data("remarks")["small"]:
         return False
-    return not token.has(*SMALL) and any(letter.isalnum() for letter in token.text)
+    return not token.has(*SMALL) and token.get("joint") != "together" and any(letter.isalnum() for letter in token.text)
 
 
 def _phrases(reading: Reading, clause: range) -> list[tuple[int, int]]:
@@ -98,10 +112,17 @@ def _phrases(reading: Reading, clause: range) -> list[tuple[int, int]]:
 def _begin(reading: Reading, clause: range, first: int) -> int:
     """Where a phrase begins: at the subject of what is said of it, or at the small words before a thing."""
     tokens, at = reading.tokens, first
-    said_of = any(tokens[k].text in data("remarks")["said_of"] for k in range(max(clause.start, first - 4), first))
-    tied = first > clause.start and (tokens[first].has("joint") or tokens[first - 1].text in _TIES[:16])
-    if (said_of or tied) and first - clause.start < WHOLE:
+    said_of = any(tokens[k].text in data("remarks")["said_of"] for k in range(max(clause.start, first - 6), first))
+    if said_of and first - clause.start < WHOLE:
         return clause.start
+    tied = first > clause.start and (tokens[first].has("joint", "side") or tokens[first - 1].text in _TIES[:16])
+    if tied:  # with the thing or room that it is said of
+        while at > clause.start and first - at < WHOLE and tokens[at - 1].text in (*_TIES[:16], "the", "a", "an"):
+            at -= 1
+        room = next((one for one in reading.named if one.first < at <= one.last + 1), None)
+        at = max(clause.start, room.first) if room is not None else at
+        while room is None and at > clause.start and tokens[at - 1].done and first - at < WHOLE // 2:
+            at -= 1
     while at > clause.start and not tokens[at - 1].done:
         before = tokens[at - 1]
         if not (before.has("no", "own", "size", "number", "soft") or before.text in ("a", "an", "the", "our", "my")):
@@ -113,8 +134,8 @@ def _begin(reading: Reading, clause: range, first: int) -> int:
 def _end(reading: Reading, clause: range, last: int) -> int:
     """Behind which token a phrase ends: with what a word of place or time leads to."""
     tokens, at = reading.tokens, last + 1
-    if tokens[last].span in reading.unmeasured and at < clause.stop and tokens[at].has("room", "use", "known_room"):
-        at += 1  # "quiet bedroom"
+    if at < clause.stop and tokens[at].done and tokens[at].has("room", "use", "known_room", "person", "staff"):
+        return at + 1  # "quiet bedroom", "charity office"
     while at < clause.stop and at - last < WHOLE:
         goes_on = tokens[at].text in _TIES or tokens[at].has("joint", "no", "own")
         tied = tokens[at - 1].text in _TIES or tokens[at - 1].has("joint", "no", "own")
@@ -134,10 +155,9 @@ def _trimmed(reading: Reading, first: int, stop: int) -> tuple[int, int]:
     """A phrase without words that it neither begins nor ends with."""
     tokens = reading.tokens
     begins = (*_LEFT_OUT, "i", "we", "need", "want", "there", "is", "has", "have", "would", "like", "it", "a", "an", "the")
-    ends = (*_LEFT_OUT, *_TIES)
     while first < stop - 1 and tokens[first].text in begins and not is_open(tokens[first]):
         first += 1
-    while stop - 1 > first and tokens[stop - 1].text in ends and not is_open(tokens[stop - 1]):
+    while stop - 1 > first and tokens[stop - 1].text in _ENDS and not is_open(tokens[stop - 1]):
         stop -= 1
     return first, stop
 

@@ -51,7 +51,7 @@ def _unwanted(reading: Reading, sentence: range) -> None:
     """Rooms and things that are not to be there."""
     tokens = reading.tokens
     for at in sentence:
-        if not tokens[at].has("no") or tokens[at].done:
+        if not tokens[at].has("no") or tokens[at].done or at + 1 < len(tokens) and tokens[at + 1].text == "be":
             continue
         barring = True
         for k in range(at + 1, min(at + 12, sentence.stop)):
