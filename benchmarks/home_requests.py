@@ -54,7 +54,7 @@ _KINDS = {
     "podcast_studio": {"recording_studio"},
     "walk_in_closet": {"walk_in_closet", "dressing_room"},
     "bar": {"cafe"},
-    "shop": {"shop", "reception"},
+    "shop": {"shop", "bakery", "hair_salon"},
 }
 """Types of a plan that a word of the data means; others mean themselves."""
 

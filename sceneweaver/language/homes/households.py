@@ -31,10 +31,10 @@ def read_people(reading: Reading) -> None:
 def _sentence(reading: Reading, sentence: range) -> None:
     tokens = reading.tokens
     depth = 0
-    work = reading.use.plan in ("clinic", "office")
     names = [one for one in reading.named if one.at in sentence]
     for at in sentence:
         token = tokens[at]
+        work = reading.use_of(at).plan in ("clinic", "office")
         if (
             at == reading.use_at
             and not work
@@ -145,8 +145,9 @@ def _workers(reading: Reading, at: int) -> None:
             reading.did(at + 3, "people")
         return
     single = plain(in_singular(token))
-    if single in reading.use.staff and number is not None:
-        kind = reading.use.staff[single]
+    staff = reading.use_of(at).staff
+    if single in staff and number is not None:
+        kind = staff[single]
         reading.staff[kind] = reading.staff.get(kind, 0) + number
         reading.did(at, "people")
         number_done(reading, at)
@@ -204,7 +205,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if role == "babies" and at + 1 < len(tokens) and tokens[at + 1].get("person") == "children":
         reading.did(at + 1, "people")  # "a baby girl" is one
     if role == "parents":
-        number = 1 if token.plural or token.text.endswith("s") else None
+        number = 1 if token.plural or any(word.endswith("s") for word in token.text.split()) else None
         role, count = ("couples" if number else "adults"), 1
         if token.text.startswith("grand"):
             role = "couples"
@@ -218,7 +219,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if role in ("children", "twins") and share and not reading.named_between(at, min(at + 6, sentence.stop)):
         reading.share = True
         for t in tokens[at + 1 : at + 5]:
-            if t.text in ("share", "together", "shares"):
+            if t.text in ("share", "together", "shares", "room", "bedroom"):
                 t.done = t.done or "people"
     if role == "seniors" and not before_article(tokens, at):
         elder = next(

@@ -109,6 +109,10 @@ class Reading:
     tokens: tuple[Token, ...]
     use: Use
     use_at: int | None
+    second: Use | None = None
+    """The business that a home is told to have beside it."""
+    business: list[bool] = field(default_factory=list[bool])
+    """For each token whether it tells of the business."""
     named: list[Named] = field(default_factory=list[Named])
     joints: list[Joint] = field(default_factory=list[Joint])
     people: list[Person] = field(default_factory=list[Person])
@@ -154,6 +158,10 @@ class Reading:
     """Where it says what a plan is to be like and has no measure of: "quiet", "in the middle"."""
     rows: list[tuple[Span, str, str]] = field(default_factory=list[tuple[Span, str, str]])
     """What was understood: where it stands, of what kind it is, what became of it."""
+
+    def use_of(self, at: int) -> Use:
+        """The use that a token tells of: that of the business, where it does, else that of the home."""
+        return self.second if self.second is not None and at >= 0 and self.business[at] else self.use
 
     def did(self, token: Token | int, what: str) -> None:
         """Token is accounted for."""

@@ -17,6 +17,7 @@ from .households import read_people
 from .joined import read_joints
 from .lexicon import Use, uses
 from .mentions import read_mentions
+from .mixed_use import join_business, mixed_in, place_business, regions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
 from .outside import read_outside
@@ -50,6 +51,7 @@ def read_home(request: str) -> HomeRequest:
     reading, said = read_parts(request)
     rooms = resolve(reading)
     assumed = add_needed(reading, rooms)
+    assumed += place_business(reading, rooms)
     count, placed = storeys_of(reading, rooms)
     assumed += place_rooms(reading, rooms, count, placed)
     for token in reading.tokens:
@@ -109,7 +111,12 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         found = (use_by_rooms(kinds, 2 if any(t.has("storey") for t in said.tokens) else 1), None)
     elif said.tokens[found[1] or 0].text == "place" and _is_storeyed(said.tokens):
         found = (uses()["house"], found[1])
+    mixed = mixed_in(said.tokens)
+    if mixed is not None and use is None:
+        found = mixed[:2]
     reading = Reading(request, said.tokens, use or found[0], found[1])
+    if mixed is not None and use is None:
+        reading.second, reading.business = mixed[2], regions(said.tokens)
     if found[1] is not None:
         reading.did(found[1], "use")
         token = said.tokens[found[1]]
@@ -118,6 +125,7 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         if token.has("use") and token.get("use")[1] and not token.has("room"):
             reading.did(token, "use")  # where it stands, or what it is called again
     read_mentions(reading)
+    join_business(reading)
     read_owners(reading)
     read_outside(reading)
     read_relations(reading)
