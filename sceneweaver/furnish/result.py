@@ -16,7 +16,6 @@ from sceneweaver.verify.home import HomeReport
 
 from .jobs import FurnishedRoom
 
-
 STATUSES: tuple[Status, ...] = ("met", "partly", "not met", "not understood")
 """What becomes of demands."""
 

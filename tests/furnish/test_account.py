@@ -1,4 +1,4 @@
-"""The account of a design: one list of demands, with what was not understood, and how well the home is what was asked."""
+"""The account of a design: one list of demands, with what was not understood, and the mark for all of it."""
 
 import json
 
@@ -49,7 +49,13 @@ def test_metrics_and_page_have_the_list():
     assert [row["status"] for row in design["demands"]] == ["met", "not met", "not understood"]
     assert design["demands"][1]["words"] == "at most 20 m2 in all" and 0 < design["alignment"] <= 8
     page = home_report(HomePage(FLAT, metrics=metrics_of(made)))
-    for words in ("at most 20 m2 in all", "stairs must be gentle", "not understood", "of 10 for what was asked", "hello"):
+    for words in (
+        "at most 20 m2 in all",
+        "stairs must be gentle",
+        "not understood",
+        "of 10 for what was asked",
+        "hello",
+    ):
         assert words in page
 
 

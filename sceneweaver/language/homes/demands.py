@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sceneweaver.home import Home, HomeRoom
+from sceneweaver.home import Home
 from sceneweaver.plans import room_types
 
 from .areas import CLEARLY
 from .measured import WALL, MeasuredHome
 from .model import HomeDemand, HomeRequest, JointAsked, Status
+from .places import group_of, place, room_of
 from .things import things
 
 DOOR, CORRIDOR = 0.85, 1.2
@@ -24,6 +25,7 @@ EVEN = 0.005
 
 NEARBY = 2.0
 """Distance [m] up to which rooms are partly near each other."""
+
 
 def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
     """What is asked for, as measured in a home: numbers and areas of rooms, doors, storeys, widths, light, things; then
@@ -67,23 +69,11 @@ def _status(met: bool, partly: bool = False) -> Status:
 def _counts(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     asked: dict[str, int] = {}
     for type_, count in request.counts:
-        asked[_group(type_)] = asked.get(_group(type_), 0) + count
+        asked[group_of(type_)] = asked.get(group_of(type_), 0) + count
     for group, count in asked.items():
-        have = sum(_group(room.type) == group for room in measured.home.rooms)
+        have = sum(group_of(room.type) == group for room in measured.home.rooms)
         name = {"sleeping": "to sleep in", "bathing": "to bathe in"}.get(group, group.replace("_", " "))
         yield HomeDemand("count", f"{count} {name}", _status(have == count, have > 0), f"{have} of {count}")
-
-
-def _group(type_: str) -> str:
-    """Kinds of rooms that are counted together: bedrooms whoever sleeps there, bathrooms with or without a tub."""
-    roles = room_types()[type_].roles if type_ in room_types() else frozenset[str]()
-    if "sleeping" in roles and "care" not in roles and type_ not in ("dormitory", "studio_apartment"):
-        return "sleeping"
-    if type_ in ("guest_toilet", "washroom", "accessible_toilet"):
-        return "toilet"
-    if "sanitary" in roles:
-        return "bathing"
-    return type_
 
 
 def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
@@ -131,21 +121,6 @@ def _limits(kind: str, of: str, area: float, least: float | None, most: float | 
             yield HomeDemand(kind, text, _status(met), f"{area:.2f} m2")
 
 
-def place(name: str, request: HomeRequest, measured: MeasuredHome) -> HomeRoom | None:
-    """The room of an id, else the one of its type that has the same place among these."""
-    there = _room(measured, name)
-    if there is not None:
-        return there
-    group = _group(request.programme.room(name).type)
-    own = [room.id for room in request.programme.rooms if _group(room.type) == group]
-    alike = [room for room in measured.home.rooms if _group(room.type) == group]
-    return alike[own.index(name)] if own.index(name) < len(alike) else None
-
-
-def _room(measured: MeasuredHome, name: str) -> HomeRoom | None:
-    return next((room for room in measured.home.rooms if room.id == name), None)
-
-
 def _joint(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> HomeDemand:
     if joint.place in ("front", "back"):
         return _to_side(joint, request, measured)
@@ -158,15 +133,18 @@ def _joint(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> H
     met, near = sum(f[0] for f in found), sum(f[1] for f in found)
     words = f"{', '.join(dict.fromkeys(joint.a))} {joint.words} {', '.join(dict.fromkeys(joint.b))}"
     return HomeDemand(
-        "joint", f"{joint.how or joint.kind}: {words}", _status(met == len(pairs), met + near > 0), "; ".join(f[2] for f in found)
+        "joint",
+        f"{joint.how or joint.kind}: {words}",
+        _status(met == len(pairs), met + near > 0),
+        "; ".join(f[2] for f in found),
     )
 
 
 def _best_pair(kind: str, a: str, b: str, request: HomeRequest, measured: MeasuredHome) -> tuple[bool, bool, str]:
     """A pair of rooms by their ids; where the home has none of these, the pair of their types that suits best."""
-    both = _room(measured, a) is not None and _room(measured, b) is not None
-    groups = [_group(request.programme.room(name).type) for name in (a, b)]
-    ones, twos = ([a], [b]) if both else ([r.id for r in measured.home.rooms if _group(r.type) == g] for g in groups)
+    both = room_of(measured, a) is not None and room_of(measured, b) is not None
+    groups = [group_of(request.programme.room(name).type) for name in (a, b)]
+    ones, twos = ([a], [b]) if both else ([r.id for r in measured.home.rooms if group_of(r.type) == g] for g in groups)
     found = [_pair(kind, one, two, measured) for one in ones for two in twos if one != two]
     if not found:
         return False, False, f"no {groups[0]} and {groups[1]}".replace("_", " ")
@@ -257,7 +235,10 @@ def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDeman
         if room.storey is not None:
             level = measured.level(there) if there is not None else None
             yield HomeDemand(
-                "storey", f"{room.id} on storey {room.storey}", _status(level == room.storey), f"on {level}" if there is not None else "no such room"
+                "storey",
+                f"{room.id} on storey {room.storey}",
+                _status(level == room.storey),
+                f"on {level}" if there is not None else "no such room",
             )
 
 

@@ -60,6 +60,8 @@ def read_before(reading: Reading, found: Named) -> None:
         elif token.has("own", "soft"):
             found.open = found.open or token.text == "open"
             own = own or token.text == "own"
+            if token.has("unmeasured"):
+                reading.say_vague(token)
             if token.has("vague") and is_look(token):
                 found.looks.insert(0, token.text)
             elif token.has("vague"):

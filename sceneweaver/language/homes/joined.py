@@ -72,8 +72,9 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         return
     how = ""
     if kind in ("across", "across_each", "not_through"):
-        how, kind = ("not through" if kind == "not_through" else "opposite"), (
-            "opposite_ends" if kind == "across_each" else "near"
+        how, kind = (
+            ("not through" if kind == "not_through" else "opposite"),
+            ("opposite_ends" if kind == "across_each" else "near"),
         )
     start = max(left.last + 1, *(k + 1 for k in range(left.last, at) if reading.tokens[k].breaks), 0)
     if kind in ("near", "door", "open") and not how and is_denied(reading.tokens, start, at):
@@ -328,7 +329,12 @@ def _behind(reading: Reading, names: dict[int, Named], sentence: range, at: int)
             return ""  # "between the two"
         if any(one.first == k for one in reading.named):
             return ""
-        if not (token.text in (*_GAP, "first", "second", "third", "last", "nearest") or token.has("own", "soft", "size")) or token.breaks:
+        if (
+            not (
+                token.text in (*_GAP, "first", "second", "third", "last", "nearest") or token.has("own", "soft", "size")
+            )
+            or token.breaks
+        ):
             return None
     return None
 

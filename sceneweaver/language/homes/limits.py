@@ -15,12 +15,27 @@ REACH = 5
 """Tokens before an area in which a word for a limit may stand."""
 
 ROOM = 0.88
-"""Share of the most that a home may have from which on it may have it: walls and modules take the rest of their play."""
+"""Share of the most that a home may have from which on it may have it: walls and modules play as well."""
 
 ABOVE = 1.1
 """Share of the least that a home has to have up to which it may have it."""
 
-LIMITS = ("no", "not", "more", "less", "larger", "smaller", "bigger", "than", "over", "under", "above", "below", "max", "min")
+LIMITS = (
+    "no",
+    "not",
+    "more",
+    "less",
+    "larger",
+    "smaller",
+    "bigger",
+    "than",
+    "over",
+    "under",
+    "above",
+    "below",
+    "max",
+    "min",
+)
 """Words between the name of a room and its area that say a limit."""
 
 _MORE = r"(?:more|larger|bigger|greater|over|above|exceed(?:ing)?)(?: than)?"
@@ -28,13 +43,21 @@ _LESS = r"(?:less|smaller|lower|under|below)(?: than)?"
 _NOT = r"\b(?:no|not|never|don't go|mustn't|must not|nothing|shouldn't|cannot|can't)(?: (?:be|go|get|exceed))?"
 _TAIL = r"(?: (?:of|is|be|floor|area|size|floor area|the|a|total|total of|at|to))*$"
 _MOST = re.compile(
-    rf"(?:{_NOT} {_MORE}|{_NOT} (?:be |go )?{_MORE}|\bat (?:the )?most|\bup to|\bmax(?:imum)?|\bwithin|\bnot exceed(?:ing)?"
-    rf"|\bcap(?:ped)?|\blimit(?:ed)?){_TAIL}"
+    rf"(?:{_NOT} {_MORE}|{_NOT} (?:be |go )?{_MORE}|\bat (?:the )?most|\bup to|\bmax(?:imum)?|\bwithin"
+    rf"|\bnot exceed(?:ing)?|\bcap(?:ped)?|\blimit(?:ed)?){_TAIL}"
 )
 _LEAST = re.compile(rf"(?:{_NOT} {_LESS}|\bat (?:the )?least|\bmin(?:imum)?|\bupwards?){_TAIL}")
-_UNDER, _OVER = re.compile(rf"\b{_LESS}{_TAIL}"), re.compile(rf"\b(?:more than|over|above|larger than|bigger than){_TAIL}")
-_MOST_BEHIND = re.compile(r"^(?:(?:as )?(?:an? |the )?(?:max(?:imum)?|tops|at most|limit|upper limit)|or (?:less|under|below|smaller))\b")
-_LEAST_BEHIND = re.compile(r"^(?:(?:as )?(?:an? |the )?(?:min(?:imum)?|at least)|or (?:more|over|larger|bigger|above)|and up)\b")
+_UNDER, _OVER = (
+    re.compile(rf"\b{_LESS}{_TAIL}"),
+    re.compile(rf"\b(?:more than|over|above|larger than|bigger than){_TAIL}"),
+)
+_MOST_BEHIND = re.compile(
+    r"^(?:(?:as )?(?:an? |the )?(?:max(?:imum)?|tops|at most|limit|upper limit)"
+    r"|or (?:less|under|below|smaller))\b"
+)
+_LEAST_BEHIND = re.compile(
+    r"^(?:(?:as )?(?:an? |the )?(?:min(?:imum)?|at least)|or (?:more|over|larger|bigger|above)|and up)\b"
+)
 
 
 def limit_of(tokens: Sequence[Token], at: int) -> tuple[Limit, range]:

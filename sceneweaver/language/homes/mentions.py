@@ -180,7 +180,12 @@ def _of_person(reading: Reading, at: int) -> str | None:
     """The kind of "Gran's room", or of "her room" where a person was told before; None where it is nobody's."""
     tokens = reading.tokens
     before = tokens[at - 1] if at else None
-    if before is None or reading.use.plan not in ("flat", "house") or at + 1 < len(tokens) and tokens[at + 1].text == "for":
+    if (
+        before is None
+        or reading.use.plan not in ("flat", "house")
+        or at + 1 < len(tokens)
+        and tokens[at + 1].text == "for"
+    ):
         return None
     if before.has("person") and before.text.endswith(("'s", "s'")):
         return _SLEEP_IN.get(before.get("person"))

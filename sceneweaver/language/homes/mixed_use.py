@@ -10,7 +10,21 @@ from .resolve import Room, bedroomlike
 from .tokens import Token
 from .use_named import is_named_home, is_setting
 
-_RUN = ("run", "runs", "running", "own", "owns", "work", "works", "worked", "left", "sold", "manage", "manages", "teach")
+_RUN = (
+    "run",
+    "runs",
+    "running",
+    "own",
+    "owns",
+    "work",
+    "works",
+    "worked",
+    "left",
+    "sold",
+    "manage",
+    "manages",
+    "teach",
+)
 """Words before a business that is elsewhere: "she runs a clinic", "I work at a bank"."""
 
 REACH = 4
@@ -58,11 +72,13 @@ def join_business(reading: Reading) -> None:
 
 
 def place_business(reading: Reading, rooms: list[Room]) -> list[str]:
-    """Rooms of a business lie on the ground floor where another storey is told of the home; its own has a door outside."""
+    """Rooms of a business lie on the ground floor where the home is upstairs; the main one has a door outside."""
     if reading.second is None:
         return []
     own = [room for room in rooms if _is_of_business(reading, room)]
-    upstairs = reading.live_storey or any(bedroomlike(room.kind) and room.storey not in (None, "ground") for room in rooms)
+    upstairs = reading.live_storey or any(
+        bedroomlike(room.kind) and room.storey not in (None, "ground") for room in rooms
+    )
     for room in own:
         if upstairs and room.storey is None:
             room.storey = "ground"

@@ -124,7 +124,8 @@ class HomeRequest:
         counts: how many rooms of a kind were asked for in so many words, by type of the plan.
         people: how many live or work there; None where nothing tells it.
         styles: words for the style of all rooms.
-        area: of all rooms together [m2]; least, most: what they have at least and at most, where that was said; width, depth: of the envelope [m].
+        area: of all rooms together [m2]; least, most: what they are to have at least and at most, where that is said.
+        width, depth: of the envelope [m].
         l_shape: whether the envelope is L-shaped.
         window_sides: how many sides may have windows.
         storeys: how many were asked for in so many words.

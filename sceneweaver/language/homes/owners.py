@@ -13,7 +13,18 @@ KIN = {
     "mother-in-law": ("mother in law", "mother-in-law", "mum in law", "mil"),
     "father-in-law": ("father in law", "father-in-law"),
     "parents": ("parents", "grandparents", "in laws", "parents in law", "mum and dad", "folks"),
-    "partner": ("husband", "wife", "partner", "spouse", "fiance", "fiancee", "fianc\u00e9", "fianc\u00e9e", "boyfriend", "girlfriend"),
+    "partner": (
+        "husband",
+        "wife",
+        "partner",
+        "spouse",
+        "fiance",
+        "fiancee",
+        "fianc\u00e9",
+        "fianc\u00e9e",
+        "boyfriend",
+        "girlfriend",
+    ),
 }
 _OWN = ("her", "his", "their", "its")
 
@@ -33,7 +44,9 @@ def read_owners(reading: Reading) -> None:
             elif tokens[one.at].text.split()[0].endswith("'s") and one.kind.counts_as:
                 one.owner = kin(tokens[one.at].text.split("'s")[0])
             elif is_own(tokens[one.first : one.at]) or is_own(tokens[one.last + 1 : one.last + 4]):
-                one.owner = next((whose for t in reversed(tokens[sentence.start : one.first]) if (whose := _whose(t))), "")
+                one.owner = next(
+                    (whose for t in reversed(tokens[sentence.start : one.first]) if (whose := _whose(t))), ""
+                )
         for one, two in zip(names, names[1:], strict=False):
             gap = tokens[one.last + 1 : two.first]
             listed = len(gap) < LISTED and all(t.breaks or t.text == "and" for t in gap)

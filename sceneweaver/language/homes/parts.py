@@ -169,7 +169,7 @@ class Reading:
         one.done = one.done or what
 
     def say_vague(self, token: Token) -> None:
-        """What is said of a home and no plan is measured by: a demand that is not understood, or praise, with a note."""
+        """What is said of a home and no plan is measured by: a demand not understood, or praise with a note."""
         if token.has("unmeasured"):
             if token.span not in self.unmeasured:
                 self.unmeasured.append(token.span)

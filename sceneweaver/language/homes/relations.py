@@ -1,4 +1,4 @@
-"""Relations of rooms by meaning: walls that are not shared, ways from one into another, opposite, at the front or back."""
+"""Relations of rooms by meaning: walls that are not shared, ways from one into another, the front and the back."""
 
 from __future__ import annotations
 
@@ -10,7 +10,19 @@ from .lexicon import data
 from .parts import Joint, Named, Reading
 from .tokens import Token
 
-TOUCH = ("against", "touch", "touches", "touching", "border", "borders", "bordering", "adjoin", "adjoins", "abut", "abuts")
+TOUCH = (
+    "against",
+    "touch",
+    "touches",
+    "touching",
+    "border",
+    "borders",
+    "bordering",
+    "adjoin",
+    "adjoins",
+    "abut",
+    "abuts",
+)
 """Words for rooms that a wall alone lies between; also said of furniture and walls."""
 
 NOT = ("isn't", "aren't", "mustn't", "shouldn't", "can't", "cannot", "nowhere", "hasn't", "doesn't", "don't", "won't")
@@ -20,7 +32,21 @@ REACH = 7
 """Tokens between a room and what is said of it."""
 
 _SMALL = ("the", "a", "an", "our", "my", "his", "her", "their", "its", "any", "of", "to", "be", "lie", "go", "get")
-_MOVES = ("go", "walk", "step", "get", "come", "straight", "directly", "direct", "right", "door", "access", "way", "reach")
+_MOVES = (
+    "go",
+    "walk",
+    "step",
+    "get",
+    "come",
+    "straight",
+    "directly",
+    "direct",
+    "right",
+    "door",
+    "access",
+    "way",
+    "reach",
+)
 _INTO = ("into", "to", "onto", "through to", "over to")
 
 

@@ -25,7 +25,9 @@ def is_remark(reading: Reading, clause: range) -> bool:
     begin = next((k for k in range(len(said)) if said[k] not in words["lead"]), 0)
     if _is_greeting(reading, clause):
         return True
-    if said[0] in words["reasons"] and (said[0] not in ("as", "since") or len(said) > 1 and _is_person(tokens, clause[1])):
+    if said[0] in words["reasons"] and (
+        said[0] not in ("as", "since") or len(said) > 1 and _is_person(tokens, clause[1])
+    ):
         return True
     if said[begin] in words["to_you"] and any(k in said for k in ("you", "me")) and not _of_home(reading, clause):
         return True
@@ -37,8 +39,10 @@ def is_remark(reading: Reading, clause: range) -> bool:
     fond = [k for k, word in enumerate(rest[:-1]) if word in ("love", "like", "enjoy", "adore", "loves", "likes")]
     if fond and rest[fond[0] + 1].endswith("ing") and not {"would", "to"} & {*rest} and len(rest) < 8:
         return True
-    if {*words["wishes"]} & {*rest} or any(word.endswith("n't") for word in rest) or any(
-        tokens[k].has("no") for k in clause
+    if (
+        {*words["wishes"]} & {*rest}
+        or any(word.endswith("n't") for word in rest)
+        or any(tokens[k].has("no") for k in clause)
     ):
         return False
     return not _of_home(reading, clause)
@@ -133,7 +137,12 @@ def _is_name(reading: Reading, at: int) -> bool:
     """Whether a word that nobody knows is the name of somebody who is told beside it."""
     tokens = reading.tokens
     token = tokens[at]
-    if token.kinds or not token.text.isalpha() or not _is_capital(reading, token) or vocabulary().get(plain(token.text)):
+    if (
+        token.kinds
+        or not token.text.isalpha()
+        or not _is_capital(reading, token)
+        or vocabulary().get(plain(token.text))
+    ):
         return False
     alike = [k for k, t in enumerate(tokens) if t.text in (token.text, f"{token.text}'s")]
     return any(_beside_person(tokens, k) or tokens[k].done == "name" for k in alike)

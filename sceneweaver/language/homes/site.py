@@ -71,6 +71,7 @@ def _area(reading: Reading, at: int) -> None:
     before = next((one for one in reversed(reading.named) if one.last < at), None)
     if (
         before is not None
+        and not (before.told == "total" and before.last < (reading.use_at or -1) < at)
         and before.root.area is None
         and 0 < at - before.last <= 4
         and not any(t.breaks for t in reading.tokens[before.last + 1 : at])

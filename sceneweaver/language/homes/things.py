@@ -10,6 +10,7 @@ from sceneweaver.language.model import SceneGraph
 
 from .measured import MeasuredHome
 from .model import HomeDemand, HomeRequest, RoomAsked, Status
+from .places import place
 
 
 def things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
@@ -17,8 +18,6 @@ def things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
 
     A wish that names no thing, and what of a wish is not read, is a demand that was not understood.
     """
-    from .demands import place
-
     if not any(room.scene is not None for room in measured.home.rooms):
         return
     said = set[str]()

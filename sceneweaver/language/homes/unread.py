@@ -25,15 +25,66 @@ APART = 3
 WHOLE = 12
 """Tokens at most of a clause that is quoted from its beginning."""
 
-_ENDS = ("and", "or", "but", "so", "with", "the", "a", "an", "is", "are", "be", "of", "to", "for", "our", "my", "please", "too")
+_ENDS = (
+    "and",
+    "or",
+    "but",
+    "so",
+    "with",
+    "the",
+    "a",
+    "an",
+    "is",
+    "are",
+    "be",
+    "of",
+    "to",
+    "for",
+    "our",
+    "my",
+    "please",
+    "too",
+)
 """Words that a phrase does not end with."""
 
 _LEFT_OUT = ("and", "or", "but", "so", "with", "also", "then", "please", "plus", "that", "which", "where", ",", "too")
 """Words that a phrase neither begins nor ends with."""
 
 _TIES = (
-    ("in", "on", "at", "to", "from", "into", "onto", "of", "for", "by", "with", "under", "over", "through", "than", "is")
-    + ("are", "be", "between", "inside", "along", "around", "behind", "without", "like", "as", "up", "out", "off", "must")
+    (
+        "in",
+        "on",
+        "at",
+        "to",
+        "from",
+        "into",
+        "onto",
+        "of",
+        "for",
+        "by",
+        "with",
+        "under",
+        "over",
+        "through",
+        "than",
+        "is",
+    )
+    + (
+        "are",
+        "be",
+        "between",
+        "inside",
+        "along",
+        "around",
+        "behind",
+        "without",
+        "like",
+        "as",
+        "up",
+        "out",
+        "off",
+        "must",
+    )
     + ("should", "can", "may", "not", "no", "the", "a", "an", "our", "my", "your", "their", "his", "her", "its", "and")
 )
 """Words after which a phrase goes on, whatever became of what follows."""
@@ -74,7 +125,8 @@ def _begins_clause(tokens: tuple[Token, ...], at: int) -> bool:
         return False
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     subject = after is not None and (
-        after.text in (*data("remarks")["persons"], "that", "the", "it", "my", "our", "there", "no") or after.has("person")
+        after.text in (*data("remarks")["persons"], "that", "the", "it", "my", "our", "there", "no")
+        or after.has("person")
     )
     return tokens[at].text != "so" or subject
 
@@ -154,7 +206,23 @@ def _between(tokens: tuple[Token, ...], last: int, at: int) -> bool:
 def _trimmed(reading: Reading, first: int, stop: int) -> tuple[int, int]:
     """A phrase without words that it neither begins nor ends with."""
     tokens = reading.tokens
-    begins = (*_LEFT_OUT, "i", "we", "need", "want", "there", "is", "has", "have", "would", "like", "it", "a", "an", "the")
+    begins = (
+        *_LEFT_OUT,
+        "i",
+        "we",
+        "need",
+        "want",
+        "there",
+        "is",
+        "has",
+        "have",
+        "would",
+        "like",
+        "it",
+        "a",
+        "an",
+        "the",
+    )
     while first < stop - 1 and tokens[first].text in begins and not is_open(tokens[first]):
         first += 1
     while stop - 1 > first and tokens[stop - 1].text in _ENDS and not is_open(tokens[stop - 1]):
