@@ -36,7 +36,8 @@ def settle(reading: Reading) -> None:
             continue
         found.append(person)
     spoken = {token.text for token in reading.tokens}
-    elders = [p for p in found if p.role == "adults" and p.who in _ELDERS and not _is_speaker(reading)]
+    elders = [p for p in found if p.role == "adults" and p.who in _ELDERS and not _is_called_one(reading, p)]
+    elders = [] if _is_speaker(reading) else elders
     if (
         not any(p.role in ("couples", "adults") and p not in elders for p in found)
         and found
@@ -50,6 +51,12 @@ def settle(reading: Reading) -> None:
     elif {p.role for p in found} & {"adults", "couples"} == {"adults"} and _speaker_counts(reading):
         found.append(Person("adults", 1, found[0].span))
     reading.people = found
+
+
+def _is_called_one(reading: Reading, person: Person) -> bool:
+    """Whether an adult is told as one of many: "a single mum", and not "my mum"."""
+    before = reading.text[: person.span.start].lower().split()
+    return bool(before) and before[-1] in ("a", "an", "single", "divorced", "widowed", "working", "lone")
 
 
 def _speaker_counts(reading: Reading) -> bool:

@@ -21,12 +21,14 @@ def things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
     if not any(room.scene is not None for room in measured.home.rooms):
         return
     said = set[str]()
+    phrases = [one.words.lower() for one in request.unread]
     for room in request.rooms:
         there = place(room.id, request, measured)
         have = [] if there is None or there.scene is None else [thing.category for thing in there.scene.objects]
         for wish in room.wishes:
             for one in _wished(room, wish, there, have):
-                if one.status != "not understood" or one.words not in said:
+                told = one.words in said or any(wish in words for words in phrases)
+                if one.status != "not understood" or not told:
                     yield one
                 said.add(one.words)
         for words in room.unwanted:
