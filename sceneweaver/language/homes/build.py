@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from sceneweaver.plans import Adjacency, Programme, RoomSpec, room_type
-from sceneweaver.plans.programme import AdjacencyKind
 
 from .lexicon import data
 from .model import JointAsked
@@ -15,11 +14,7 @@ from .resolve import Room, bedroomlike
 SOFT = 2.0
 """Weight of near and apart, which are no more than wished."""
 
-_SIDES: dict[tuple[str, AdjacencyKind], str] = {
-    (place, kind): side
-    for place, side in (("garden", "back"), ("back", "back"), ("front", "front"))
-    for kind in ("near", "door", "open", "apart")
-} | {("street", "near"): "front"}
+_SIDES = {"garden": "back", "back": "back", "front": "front"}
 """Sides of the home by the places that rooms are told to lie at, which are measured and not planned."""
 
 _ORDER = {"open": 0, "door": 1, "near": 2, "apart": 3}
@@ -140,7 +135,7 @@ def joined(
     for joint in sorted(reading.joints, key=lambda j: _ORDER[j.kind]):
         words = reading.text[joint.span.start : joint.span.end]
         if isinstance(joint.b, str):
-            place = _SIDES.get((joint.b, joint.kind), joint.b)
+            place = "front" if (joint.b, joint.kind) == ("street", "near") else _SIDES.get(joint.b, joint.b)
             pairs = [] if place in ("front", "back") else _to_place(joint, entrance, notes)
             if joint.a.ids:
                 asked.append(JointAsked(tuple(joint.a.ids), (), joint.kind, words, place))

@@ -59,6 +59,15 @@ _LEAST_BEHIND = re.compile(
     r"^(?:(?:as )?(?:an? |the )?(?:min(?:imum)?|at least)|or (?:more|over|larger|bigger|above)|and up)\b"
 )
 
+_BEFORE: tuple[tuple[Limit, re.Pattern[str]], ...] = (
+    ("most", _MOST),
+    ("least", _LEAST),
+    ("most", _UNDER),
+    ("least", _OVER),
+)
+_BEHIND: tuple[tuple[Limit, re.Pattern[str]], ...] = (("most", _MOST_BEHIND), ("least", _LEAST_BEHIND))
+"""Patterns for words before an area, and behind it, in the order in which they are tried."""
+
 
 def limit_of(tokens: Sequence[Token], at: int) -> tuple[Limit, range]:
     """Whether an area is the most or the least that there is to be, and the tokens that say so.
@@ -74,7 +83,7 @@ def limit_of(tokens: Sequence[Token], at: int) -> tuple[Limit, range]:
     while start > 0 and at - start < REACH and not tokens[start - 1].breaks:
         start -= 1
     before = " ".join(t.text for t in tokens[start:at])
-    for limit, pattern in (("most", _MOST), ("least", _LEAST), ("most", _UNDER), ("least", _OVER)):
+    for limit, pattern in _BEFORE:
         found = pattern.search(before)
         if found is not None:
             return limit, range(_begin(tokens, start, at, found.start()), at)
@@ -82,7 +91,7 @@ def limit_of(tokens: Sequence[Token], at: int) -> tuple[Limit, range]:
     while stop < len(tokens) and stop - at < 4 and not tokens[stop].breaks:
         stop += 1
     behind = " ".join(t.text for t in tokens[at + 1 : stop])
-    for limit, pattern in (("most", _MOST_BEHIND), ("least", _LEAST_BEHIND)):
+    for limit, pattern in _BEHIND:
         found = pattern.search(behind)
         if found is not None:
             words, last = len(found[0].split()), at
