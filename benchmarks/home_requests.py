@@ -12,7 +12,7 @@ from sceneweaver.language.homes import HomeRequest, room_requests
 from sceneweaver.plans import RoomSpec, room_type
 
 FOLDER = Path(__file__).parent / "data" / "home_requests"
-SETS = ("people", "tuned", "held_out", "relations", "relations_held_out")
+SETS = ("people", "tuned", "held_out", "relations", "relations_held_out", "accounts", "accounts_held_out")
 
 AREA = 0.06
 """Share by which an area may be off."""
@@ -54,6 +54,7 @@ _KINDS = {
     "podcast_studio": {"recording_studio"},
     "walk_in_closet": {"walk_in_closet", "dressing_room"},
     "bar": {"cafe"},
+    "shop": {"shop", "bakery", "hair_salon"},
 }
 """Types of a plan that a word of the data means; others mean themselves."""
 
@@ -197,6 +198,72 @@ def _light(value: list[str], read: HomeRequest, lit: bool) -> Iterator[tuple[str
         )
 
 
+def _limits(name: str) -> Any:
+    """Whether the floor of rooms is limited by a number in its requests and in the programme."""
+
+    def check(value: dict[str, float], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+        for word, number in value.items():
+            rooms = [room for room in read.programme.rooms if is_kind(word, room, read)]
+            told = [getattr(read.room(room.id), name) for room in rooms]
+            kept = all(room.area[2] <= number if name == "most" else room.area[0] >= number for room in rooms)
+            yield f"{word} of {name} {number} m2 ({told})", bool(rooms) and kept and all(one == number for one in told)
+
+    return check
+
+
+def _account(read: HomeRequest) -> list[str]:
+    """What is said not to be understood, in small letters."""
+    return [one.words.lower() for one in read.unread]
+
+
+def _told(value: list[str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+    """Whether what no plan can be made to have is told, in the words of the request and in one piece."""
+    for words in value:
+        yield f"'{words}' is told not to be understood", any(words.lower() in one for one in _account(read))
+
+
+def _chat(value: list[str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+    """Whether what is no demand is told to be none: no word of it that has a meaning is in what was not understood."""
+    for words in value:
+        own = {word.strip("()!.,").lower() for word in words.split()} - {"i", "to", "in", "by", "so", "much", "you"}
+        yield f"'{words}' is no demand", not any(own & {*one.replace(",", " ").split()} for one in _account(read))
+
+
+def _outside(value: list[str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+    for word in value:
+        rooms = [room for room in read.programme.rooms if is_kind(word, room, read)]
+        yield f"{word} with a door outside", any(read.room(room.id).outside for room in rooms)
+
+
+def _side(name: str) -> Any:
+    def check(value: list[str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+        rooms = {room.id: room for room in read.programme.rooms}
+        there = [i for joint in read.joints if joint.place == name and joint.kind != "apart" for i in joint.a]
+        for word in value:
+            yield f"{word} at the {name}", any(is_kind(word, rooms[i], read) for i in there)
+
+    return check
+
+
+def _how(name: str) -> Any:
+    def check(value: list[list[str]], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+        rooms = {room.id: room for room in read.programme.rooms}
+        pairs = [pair for joint in read.joints if joint.how == name for pair in zip(joint.a, joint.b, strict=True)]
+        for one, two in value:
+            ends = [(rooms[a], rooms[b]) for a, b in pairs]
+            either = [*ends, *((b, a) for a, b in ends)] if name == "opposite" else ends
+            met = any(is_kind(one, a, read) and is_kind(two, b, read) for a, b in either)
+            yield f"{one} {name} {two}", met
+
+    return check
+
+
+def _unwanted(value: dict[str, str], read: HomeRequest) -> Iterator[tuple[str, bool]]:
+    for word, said in value.items():
+        rooms = [room for room in read.programme.rooms if is_kind(word, room, read)]
+        yield f"no {said} in {word}", any(said in one for room in rooms for one in read.room(room.id).unwanted)
+
+
 def _one(name: str, met: bool) -> Iterator[tuple[str, bool]]:
     yield name, met
 
@@ -211,6 +278,19 @@ _VERDICTS: dict[str, Any] = {
     ),
     "rooms": _rooms,
     "area": lambda v, r: _one(f"{v} m2 (is {r.area})", r.area is not None and abs(r.area - v) <= AREA * v),
+    "most": lambda v, r: _one(f"at most {v} m2 (is {r.most})", r.most == v),
+    "least": lambda v, r: _one(f"at least {v} m2 (is {r.least})", r.least == v),
+    "room_most": _limits("most"),
+    "room_least": _limits("least"),
+    "people": lambda v, r: _one(f"{v} people (are {r.people})", r.people == v),
+    "told": _told,
+    "chat": _chat,
+    "outside": _outside,
+    "front": _side("front"),
+    "back": _side("back"),
+    "opposite": _how("opposite"),
+    "not_through": _how("not through"),
+    "unwanted": _unwanted,
     "areas": _areas,
     "join": _pairs(("door", "open")),
     "open": _pairs(("open",)),

@@ -75,12 +75,17 @@ def run_design_home(prompt: str, out: Path, options: Mapping[str, Any], *, as_js
         objects = len(room.scene.objects) if room.scene is not None else 0
         typer.echo(f"  {grade}  {name}: {objects} objects; {room.request}")
     _access(result.report)
+    if result.demands:
+        told = ", ".join(f"{sum(d.status == s for d in result.demands)} {s}" for s in result.shares)
+        typer.echo(f"  {result.alignment:4.1f}  of 10 for what was asked: {len(result.demands)} demands, {told}")
     for text in result.unmet:
         typer.secho(f"  unmet   {text}", fg="yellow")
     for text in result.undone:
         typer.secho(f"  undone  {text}", fg="yellow")
     for text in result.notes:
         typer.echo(f"  note    {text}")
+    for text in result.remarks:
+        typer.echo(f"  said    {text} (no demand)")
     _violations(result.report)
     typer.echo(f"  {result.seconds.get('total', 0.0):.1f} s")
     list_files([out / name for name in result.files])

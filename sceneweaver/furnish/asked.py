@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from sceneweaver.home import Home
-from sceneweaver.language.homes import HomeRequest, demands, read_home
+from sceneweaver.language.homes import HomeDemand, HomeRequest, demands, read_home
 from sceneweaver.language.homes import room_requests as told_requests
 from sceneweaver.plans import Envelope, Profile, Programme, envelope_for, feasible, totalled
 from sceneweaver.scene import InputError
@@ -68,15 +68,16 @@ class Asked:
         programme, more = furnishable(programme, self.texts, self.areas)
         if self.request is not None and self.request.area is not None:
             programme = totalled(programme, self.request.area, self.areas, self.profile)
-        return programme, (*raises, *more)
+        return self.within(programme), (*raises, *more)
 
     def envelope_of(self, programme: Programme, seed: int, own: bool = False) -> Envelope:
         """What a plan of the programme has to fit into; ``own``: whatever sides were asked for."""
         if self.envelope is not None:
             return self.envelope
-        if self.request is not None and not own:
-            return replace(self.request, programme=programme).envelope(seed)
-        return envelope_for(programme, seed)
+        if self.request is None:
+            return envelope_for(programme, seed)
+        free = {"width": None, "depth": None, "l_shape": False, "window_sides": None} if own else {}
+        return replace(self.request, programme=programme, **free).envelope(seed)
 
     def fitted(self, programme: Programme, seed: int, solve: Callable[[Envelope], Plans]) -> Plans:
         """What ``solve`` finds for a programme; of several envelopes that are ours to choose, in the first that takes
@@ -103,10 +104,27 @@ class Asked:
         """By room of a home, what the request says of it."""
         return told_requests(self.request, home, told_only=True) if self.request is not None else {}
 
-    def unmet(self, home: Home) -> list[str]:
-        """What the request asks for and the finished home, measured anew, does not have."""
-        found = demands(self.request, home) if self.request is not None else ()
-        return [f"{one.words}: {one.status}, {one.detail}" for one in found if one.status != "met"]
+    def demands(self, home: Home) -> tuple[HomeDemand, ...]:
+        """What the request asks for, as the finished home, measured anew, has it; what was not understood as well."""
+        return tuple(demands(self.request, home)) if self.request is not None else ()
+
+    def within(self, programme: Programme) -> Programme:
+        """The programme in which no room has more floor than the request allows it at most, nor all rooms together.
+
+        Where rules or furniture need more of a room, it keeps that least.
+        """
+        if self.request is None:
+            return programme
+        caps = {room.id: room.most for room in self.request.rooms if room.most is not None}
+        rooms = tuple(
+            room.model_copy(update={"area": _capped(room.area, caps[room.id])}) if room.id in caps else room
+            for room in programme.rooms
+        )
+        programme = programme.model_copy(update={"rooms": rooms})
+        indoors = [room for room in rooms if not {"outdoor", "stairs"} & room.kind.roles]
+        if self.request.most is not None and sum(room.area[1] for room in indoors) > (self.request.area or 0):
+            programme = totalled(programme, self.request.area or self.request.most, self.areas, self.profile)
+        return programme
 
     @property
     def style(self) -> str:
@@ -117,7 +135,15 @@ class Asked:
     @property
     def notes(self) -> tuple[str, ...]:
         """What was assumed of the request."""
-        if self.request is None:
-            return ()
-        unread = [f"not understood: {word.words}" for word in self.request.unread]
-        return (*self.request.assumed, *self.request.notes, *unread)
+        return (*self.request.assumed, *self.request.notes) if self.request is not None else ()
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What is said and is no demand."""
+        return tuple(one.words for one in self.request.remarks) if self.request is not None else ()
+
+
+def _capped(area: tuple[float, float, float], most: float) -> tuple[float, float, float]:
+    least, target, high = area
+    top = max(least, min(high, most))
+    return least, min(max(target, least), top), top

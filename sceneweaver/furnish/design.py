@@ -31,7 +31,7 @@ from .giving_way import missed, softer
 from .home import FurnishedHome, furnish_home
 from .jobs import DRAWS, FurnishedRoom, RoomJob
 from .planning import ChosenPlan, plan_home
-from .result import HomeResult
+from .result import HomeResult, unmet_of
 from .side_by_side import RoomPool
 
 TIME = 600.0
@@ -223,6 +223,7 @@ class _Run:
                 break
             before = wrong
             programme, raises = raised(programme, helped)
+            programme = self.asked.within(programme)
             self._say(*raises)
             home = None
         assert best is not None
@@ -235,7 +236,8 @@ class _Run:
                 self.folder.keep(done.jobs[name], room)
         unmet = (*done.unmet, *(f"{n}: it has no {what}" for n, r in done.rooms.items() for what in r.lacking))
         failed = [f"{name}: {room.failed}" for name, room in done.rooms.items() if room.failed]
-        failed += self.asked.unmet(done.home)
+        demands = self.asked.demands(done.home)
+        failed += unmet_of(demands)
         wanted, default = missed(self.asked.programme, done.home, self.asked.profile, self.asked.areas)
         return HomeResult(
             done.home,
@@ -249,6 +251,8 @@ class _Run:
             done.style,
             _total(self.spent, started),
             (f"rooms: {done.cut_off}",) if done.cut_off else (),
+            demands=demands,
+            remarks=self.asked.remarks,
         )
 
     @property
@@ -285,9 +289,10 @@ class _Run:
                 if self.limit.passed or self.limit.stop.reason:
                     break
                 self._say(step.line)
-                fits = self.asked.envelope_of(step.programme, self.seed, step.own_envelope)
+                less = self.asked.within(step.programme)
+                fits = self.asked.envelope_of(less, self.seed, step.own_envelope)
                 with suppress(InputError):
-                    chosen, programme = self._solved(step.programme, fewer, fits), step.programme
+                    chosen, programme = self._solved(less, fewer, fits), less
                     break
             if chosen is None:
                 raise wrong from None

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from sceneweaver.home import Home
+from sceneweaver.language.homes import HomeDemand
+from sceneweaver.language.homes.model import Status
 from sceneweaver.plans import PlanReport, Programme
+from sceneweaver.rules.faults import number
 from sceneweaver.verify.home import HomeReport
 
 from .jobs import FurnishedRoom
+
+STATUSES: tuple[Status, ...] = ("met", "partly", "not met", "not understood")
+"""What becomes of demands."""
+
+
+def unmet_of(demands: Iterable[HomeDemand]) -> list[str]:
+    """The demands that are not met, a line each with what was found."""
+    return [f"{one.words}: {one.status}, {one.detail}" for one in demands if one.status != "met"]
 
 
 @dataclass(frozen=True)
@@ -24,7 +35,9 @@ class HomeResult:
         plan_report: the exact checker on its plan.
         programme: what the plan was solved for, with what furniture asked for.
         rooms: what became of each furnished room, by id.
-        unmet: what was asked for and is not so.
+        demands: all that was asked for in words, each with what became of it; not understood is one of these.
+        remarks: what the request says that is no demand.
+        unmet: what was asked for and is not so, the demands that are not met or not understood among it.
         notes: what was assumed, and what the plan had to give way to.
         log: what was done, in order, a line each.
         style: of all rooms.
@@ -58,6 +71,8 @@ class HomeResult:
     broken: tuple[str, ...] = ()
     files: tuple[str, ...] = ()
     out: Path | None = None
+    demands: tuple[HomeDemand, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     @property
     def valid(self) -> bool:
@@ -67,7 +82,23 @@ class HomeResult:
     @property
     def satisfied(self) -> bool:
         """Whether it is valid and all that was asked for is so, files included."""
-        return self.valid and not self.unmet and not self.undone
+        return self.valid and not self.unmet and not self.undone and not unmet_of(self.demands)
+
+    @property
+    def shares(self) -> dict[str, float]:
+        """The share of the demands by what became of them; empty where the request has none."""
+        many = len(self.demands)
+        return {status: sum(d.status == status for d in self.demands) / many for status in STATUSES} if many else {}
+
+    @property
+    def alignment(self) -> float:
+        """How much of the request is so, 0 to 10: what is so in part counts half; not above 8 where anything is unmet,
+        in part, not understood, or something else in its stead, in a room as well."""
+        shares = self.shares
+        share = shares.get("met", 1.0 if not shares else 0.0) + 0.5 * shares.get("partly", 0.0)
+        rooms = [room.review.alignment.share for room in self.rooms.values() if room.review is not None]
+        faithful = not self.unmet and not unmet_of(self.demands) and min(rooms, default=1.0) >= 1.0
+        return round(10.0 * share if faithful else min(number("faithful"), 10.0 * share), 2)
 
     @property
     def grades(self) -> dict[str, float]:
@@ -78,6 +109,10 @@ class HomeResult:
         """As JSON data: what ``metrics.json`` says beside the judge's report."""
         return {
             "satisfied": self.satisfied,
+            "alignment": self.alignment,
+            "shares": {status: round(share, 4) for status, share in self.shares.items()},
+            "demands": [demand.to_dict() for demand in self.demands],
+            "remarks": list(self.remarks),
             "unmet": list(self.unmet),
             "undone": list(self.undone),
             "notes": list(self.notes),

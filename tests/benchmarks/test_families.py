@@ -39,7 +39,7 @@ TABLES = {
     "jax": {"calls": 1},
     "derivatives": {"kinds": 6},
     "requests": {"requests": 1, "reported": 0},
-    "home_requests": {"read": 10},
+    "home_requests": {"read": 16},
     "plans": {"plans": 3},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},

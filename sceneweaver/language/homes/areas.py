@@ -44,6 +44,7 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
         if told is not None:
             low, high = told
             room.area = (round(low * (1 - EXACT), 1), round((low + high) / 2, 1), round(high * (1 + EXACT), 1))
+            room.area = _limited(room, room.area)
             continue
         if people is not None and room.kind.name in data("words")["per_person"]:
             base, each = data("words")["per_person"][room.kind.name]
@@ -65,6 +66,13 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
     if reading.width is not None and reading.depth is not None:
         _fitted(_within(reading), rooms, free)
     return []
+
+
+def _limited(room: Room, area: tuple[float, float, float]) -> tuple[float, float, float]:
+    """An area within the limits that are said of a room, which have no play."""
+    least = next((one.least for one in room.named if one.least is not None), area[0])
+    most = next((one.most for one in room.named if one.most is not None), area[2])
+    return least, min(max(area[1], least), most), most
 
 
 def _within(reading: Reading) -> float:

@@ -8,6 +8,7 @@ from sceneweaver.knowledge.load import room_words
 
 from .lexicon import data
 from .mentions import is_thing
+from .mixed_use import mixed_in
 from .parts import Named
 from .read import read_parts
 from .residents import people_told
@@ -42,6 +43,8 @@ def is_home(request: str) -> bool:
     said = spoken(request)
     if " ".join(request.lower().split()).strip(".!") in room_words():
         return False
+    if mixed_in(said.tokens) is not None:
+        return True
     named = use_in(said.tokens)
     whole = named is not None and said.tokens[named[1]].get("use")[1] and not _room_first(said.tokens, named[1])
     of_one_room = named is not None and _is_one_kind(said.tokens, named[1])

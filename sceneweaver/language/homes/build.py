@@ -8,10 +8,14 @@ from .lexicon import data
 from .model import JointAsked
 from .needed import add_landings
 from .parts import Joint, Named, Reading
+from .relations import apart_from_people
 from .resolve import Room, bedroomlike
 
 SOFT = 2.0
 """Weight of near and apart, which are no more than wished."""
+
+_SIDES = {"garden": "back", "back": "back", "front": "front"}
+"""Sides of the home by the places that rooms are told to lie at, which are measured and not planned."""
 
 _ORDER = {"open": 0, "door": 1, "near": 2, "apart": 3}
 
@@ -106,7 +110,9 @@ def pairs_of(joint: Joint) -> list[tuple[str, str]]:
         return []
     if joint.a is joint.b or joint.a.root is joint.b.root and a == b:
         return [(a[i], a[k]) for i in range(len(a)) for k in range(i + 1, len(a))]
-    if joint.kind == "apart":
+    if joint.how == "opposite" and len(a) < len(b):
+        return [(x, next((y for y in b if y != x), x)) for x in a]
+    if joint.kind == "apart" or joint.how:
         return [(x, y) for x in a for y in b if x != y]
     if len(a) == len(b):
         return [(x, y) for x, y in zip(a, b, strict=True) if x != y]
@@ -129,14 +135,18 @@ def joined(
     for joint in sorted(reading.joints, key=lambda j: _ORDER[j.kind]):
         words = reading.text[joint.span.start : joint.span.end]
         if isinstance(joint.b, str):
-            pairs = _to_place(joint, entrance, notes, words)
+            place = "front" if (joint.b, joint.kind) == ("street", "near") else _SIDES.get(joint.b, joint.b)
+            pairs = [] if place in ("front", "back") else _to_place(joint, entrance, notes)
             if joint.a.ids:
-                place = "street" if joint.b == "street" else joint.b
                 asked.append(JointAsked(tuple(joint.a.ids), (), joint.kind, words, place))
         else:
             pairs = pairs_of(joint)
             if pairs:
-                asked.append(JointAsked(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), joint.kind, words))
+                ends = tuple(a for a, _ in pairs), tuple(b for _, b in pairs)
+                asked.append(JointAsked(*ends, joint.kind, words, how=joint.how))
+            else:
+                _lost(reading, joint)
+            pairs = [] if joint.how == "not through" else pairs
         for a, b in pairs:
             key = frozenset((a, b))
             if len(key) == 2 and key not in found:
@@ -145,6 +155,13 @@ def joined(
                 kind = "door" if at_entrance else joint.kind
                 weight = 1.0 if hard else 2 * SOFT if at_entrance else SOFT
                 found[key] = Adjacency(a=a, b=b, kind=kind, hard=hard, weight=weight)
+    for one in reading.named:
+        pairs = apart_from_people(one.ids, {r.id: room_type(r.type).roles for r in rooms}) if one.alone else []
+        if one.alone is not None and pairs:
+            words = reading.text[one.alone.start : one.alone.end]
+            asked.append(JointAsked(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), "apart", words))
+        for a, b in pairs:
+            found.setdefault(frozenset((a, b)), Adjacency(a=a, b=b, kind="apart", hard=False, weight=SOFT))
     return _with_ways(list(found.values()), rooms), asked
 
 
@@ -172,14 +189,18 @@ def _may_join(a: str, b: str, rooms: list[Room]) -> bool:
     return any(kind.transit != "none" for kind in kinds) or not any("annex" in kind.roles for kind in kinds)
 
 
-def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:
-    """The entrance is a room's; the side to street or garden is none that plans know."""
-    if joint.b in ("entrance", "street"):
-        if joint.b == "street":
-            notes.append("sides of the street are not planned: what is to be far from it lies apart from the entrance")
-        return [(i, entrance) for i in joint.a.ids if i != entrance]
-    notes.append(f"'{words} the {joint.b}': plans have no such side")
-    return []
+def _lost(reading: Reading, joint: Joint) -> None:
+    """What is said of rooms that are not there has led to nothing."""
+    for token in reading.tokens:
+        if joint.span.start <= token.span.start < joint.span.end:
+            token.done = ""
+
+
+def _to_place(joint: Joint, entrance: str, notes: list[str]) -> list[tuple[str, str]]:
+    """The entrance is a room's."""
+    if joint.b == "street":
+        notes.append("sides of the street are not planned: what is to be far from it lies apart from the entrance")
+    return [(i, entrance) for i in joint.a.ids if i != entrance]
 
 
 def entrance_of(reading: Reading, rooms: list[Room], placed: dict[str, int | None]) -> str:

@@ -1,16 +1,18 @@
-"""``demands``: what a request for a home asks for, each as it is in the finished home: met, partly, not met."""
+"""``demands``: what a request for a home asks for, each as it is in the finished home: met, partly, not met; and what
+was not understood of it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
 
-from sceneweaver.home import Home, HomeRoom
+from sceneweaver.home import Home
 from sceneweaver.plans import room_types
 
 from .areas import CLEARLY
 from .measured import WALL, MeasuredHome
-from .model import HomeDemand, HomeRequest, JointAsked
+from .model import HomeDemand, HomeRequest, JointAsked, Status
+from .places import group_of, place, room_of
+from .things import things
 
 DOOR, CORRIDOR = 0.85, 1.2
 """Least clear widths [m] of doors and of ways in an accessible home."""
@@ -18,14 +20,16 @@ DOOR, CORRIDOR = 0.85, 1.2
 CLOSE, FAR = 0.05, 0.12
 """Shares by which an area may be off to be met, and partly met."""
 
+EVEN = 0.005
+"""Floor [m2] below what is written of an area."""
+
 NEARBY = 2.0
 """Distance [m] up to which rooms are partly near each other."""
 
-Status = Literal["met", "partly", "not met"]
-
 
 def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
-    """What is asked for, as measured in a home: numbers and areas of rooms, doors, storeys, widths, light, things.
+    """What is asked for, as measured in a home: numbers and areas of rooms, doors, storeys, widths, light, things; then
+    each phrase that was not understood, in the words of the request.
 
     What was assumed is no demand. The home is measured by itself: rooms are counted by their types, joined by its
     doors, and as far apart as their outlines are. Rooms are those of the same id; in a home that has none of that id,
@@ -46,18 +50,15 @@ def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
     return [
         *_counts(request, measured),
         *_areas(request, measured),
-        *(
-            _joint(joint, request, measured)
-            for joint in request.joints
-            if joint.b or joint.place in ("entrance", "street")
-        ),
+        *(_joint(joint, request, measured) for joint in request.joints),
         *_outside(request, measured),
         *_storeys(request, measured),
         *_profile(request, measured),
         *_envelope(request, measured),
         *_light(request, measured),
         *_excluded(request, measured),
-        *_things(request, measured),
+        *things(request, measured),
+        *(HomeDemand("words", one.words, "not understood", "nothing was made of it") for one in request.unread),
     ]
 
 
@@ -68,39 +69,30 @@ def _status(met: bool, partly: bool = False) -> Status:
 def _counts(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     asked: dict[str, int] = {}
     for type_, count in request.counts:
-        asked[_group(type_)] = asked.get(_group(type_), 0) + count
+        asked[group_of(type_)] = asked.get(group_of(type_), 0) + count
     for group, count in asked.items():
-        have = sum(_group(room.type) == group for room in measured.home.rooms)
+        have = sum(group_of(room.type) == group for room in measured.home.rooms)
         name = {"sleeping": "to sleep in", "bathing": "to bathe in"}.get(group, group.replace("_", " "))
         yield HomeDemand("count", f"{count} {name}", _status(have == count, have > 0), f"{have} of {count}")
 
 
-def _group(type_: str) -> str:
-    """Kinds of rooms that are counted together: bedrooms whoever sleeps there, bathrooms with or without a tub."""
-    roles = room_types()[type_].roles if type_ in room_types() else frozenset[str]()
-    if "sleeping" in roles and "care" not in roles and type_ not in ("dormitory", "studio_apartment"):
-        return "sleeping"
-    if type_ in ("guest_toilet", "washroom", "accessible_toilet"):
-        return "toilet"
-    if "sanitary" in roles:
-        return "bathing"
-    return type_
-
-
 def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
-    if request.area is not None:
+    yield from _limits("area", "in all", measured.total, request.least, request.most)
+    if request.area is not None and request.least is None and request.most is None:
         off = abs(measured.total - request.area) / request.area
         yield HomeDemand(
             "area", f"{request.area:g} m2 in all", _status(off <= CLOSE, off <= FAR), f"{measured.total:.1f} m2"
         )
     for room in request.rooms:
-        there = _place(room.id, request, measured)
+        there = place(room.id, request, measured)
         if there is None or there.type not in room_types():
             if room.area is not None or room.size:
                 yield HomeDemand("room_area", f"{room.id}: its area", "not met", "there is no such room")
             continue
         area = measured.area(there)
-        if room.area is not None:
+        if room.least is not None or room.most is not None:
+            yield from _limits("room_area", room.id, area, room.least, room.most)
+        elif room.area is not None:
             low, high = room.area
             met = low * (1 - CLOSE) <= area <= high * (1 + CLOSE)
             text = f"{room.id}: {low:g} m2" if low == high else f"{room.id}: {low:g} to {high:g} m2"
@@ -118,38 +110,41 @@ def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
             )
 
 
-def _place(name: str, request: HomeRequest, measured: MeasuredHome) -> HomeRoom | None:
-    """The room of an id, else the one of its type that has the same place among these."""
-    there = _room(measured, name)
-    if there is not None:
-        return there
-    group = _group(request.programme.room(name).type)
-    own = [room.id for room in request.programme.rooms if _group(room.type) == group]
-    alike = [room for room in measured.home.rooms if _group(room.type) == group]
-    return alike[own.index(name)] if own.index(name) < len(alike) else None
-
-
-def _room(measured: MeasuredHome, name: str) -> HomeRoom | None:
-    return next((room for room in measured.home.rooms if room.id == name), None)
+def _limits(kind: str, of: str, area: float, least: float | None, most: float | None) -> Iterator[HomeDemand]:
+    """A floor that is not to be gone above or below, which has no play."""
+    for limit, words, met in (
+        (least, "at least", least is None or area >= least - EVEN),
+        (most, "at most", most is None or area <= most + EVEN),
+    ):
+        if limit is not None:
+            text = f"{words} {limit:g} m2 {of}" if of == "in all" else f"{of}: {words} {limit:g} m2"
+            yield HomeDemand(kind, text, _status(met), f"{area:.2f} m2")
 
 
 def _joint(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> HomeDemand:
+    if joint.place in ("front", "back"):
+        return _to_side(joint, request, measured)
+    if joint.how == "not through":
+        return _not_through(joint, request, measured)
     if joint.place:
         return _to_entrance(joint, request, measured)
     pairs = list(zip(joint.a, joint.b, strict=True))
-    found = [_best_pair(joint.kind, a, b, request, measured) for a, b in pairs]
+    found = [_best_pair(joint.how or joint.kind, a, b, request, measured) for a, b in pairs]
     met, near = sum(f[0] for f in found), sum(f[1] for f in found)
     words = f"{', '.join(dict.fromkeys(joint.a))} {joint.words} {', '.join(dict.fromkeys(joint.b))}"
     return HomeDemand(
-        "joint", f"{joint.kind}: {words}", _status(met == len(pairs), met + near > 0), "; ".join(f[2] for f in found)
+        "joint",
+        f"{joint.how or joint.kind}: {words}",
+        _status(met == len(pairs), met + near > 0),
+        "; ".join(f[2] for f in found),
     )
 
 
 def _best_pair(kind: str, a: str, b: str, request: HomeRequest, measured: MeasuredHome) -> tuple[bool, bool, str]:
     """A pair of rooms by their ids; where the home has none of these, the pair of their types that suits best."""
-    both = _room(measured, a) is not None and _room(measured, b) is not None
-    groups = [_group(request.programme.room(name).type) for name in (a, b)]
-    ones, twos = ([a], [b]) if both else ([r.id for r in measured.home.rooms if _group(r.type) == g] for g in groups)
+    both = room_of(measured, a) is not None and room_of(measured, b) is not None
+    groups = [group_of(request.programme.room(name).type) for name in (a, b)]
+    ones, twos = ([a], [b]) if both else ([r.id for r in measured.home.rooms if group_of(r.type) == g] for g in groups)
     found = [_pair(kind, one, two, measured) for one in ones for two in twos if one != two]
     if not found:
         return False, False, f"no {groups[0]} and {groups[1]}".replace("_", " ")
@@ -173,14 +168,39 @@ def _pair(kind: str, a: str, b: str, measured: MeasuredHome) -> tuple[bool, bool
         return measured.open(a, b), joined, how
     if kind == "door":
         return joined, beside, how
+    if kind == "opposite":
+        between = measured.opposite(a, b)
+        return bool(between), joined or beside or gap is not None and gap <= NEARBY, between or how
     if kind == "near":
         return joined or beside, gap is not None and gap <= NEARBY, how
     return not joined and not beside, not joined, how
 
 
+def _to_side(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> HomeDemand:
+    """Rooms at the front, where the entrance is, or at the back."""
+    found = dict[str, bool]()
+    for name in joint.a:
+        room = place(name, request, measured)
+        found[name] = room is not None and measured.at_side(room, joint.place) != (joint.kind == "apart")
+    sides = {True: "it is", False: "it is not"}
+    detail = "; ".join(f"{name}: {sides[met]}" for name, met in found.items())
+    words = f"{', '.join(joint.a)} {'not ' * (joint.kind == 'apart')}at the {joint.place} ({joint.words})"
+    return HomeDemand("joint", words, _status(all(found.values()), any(found.values())), detail)
+
+
+def _not_through(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> HomeDemand:
+    """Whether one gets to rooms without others on the way."""
+    ends = [(place(a, request, measured), place(b, request, measured)) for a, b in zip(joint.a, joint.b, strict=True)]
+    free = [a is not None and (b is None or a.id in measured.reached_without(b.id)) for a, b in ends]
+    words = f"{', '.join(dict.fromkeys(joint.a))} {joint.words} {', '.join(dict.fromkeys(joint.b))}"
+    return HomeDemand(
+        "joint", f"not through: {words}", _status(all(free)), "another way" if all(free) else "no other way"
+    )
+
+
 def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> HomeDemand:
     steps = measured.steps_from_entrance()
-    there = {name: _place(name, request, measured) for name in joint.a}
+    there = {name: place(name, request, measured) for name in joint.a}
     found = {name: steps.get(room.id) if room is not None else None for name, room in there.items()}
     words = f"{', '.join(joint.a)} {joint.words} the {joint.place}"
     detail = "; ".join(
@@ -194,9 +214,10 @@ def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome
 
 def _outside(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     for room in request.rooms:
-        there = _place(room.id, request, measured)
-        if room.outside and there is not None:
-            has = any(door.room == there.id and door.to is None for door in measured.home.doors)
+        there = place(room.id, request, measured)
+        if room.outside:
+            doors = measured.home.doors
+            has = there is not None and any(door.room == there.id and door.to is None for door in doors)
             yield HomeDemand("outside", f"{room.id}: a door outside", _status(has), "a door" if has else "none")
 
 
@@ -210,11 +231,14 @@ def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDeman
             f"{have}",
         )
     for room in request.rooms:
-        there = _place(room.id, request, measured)
-        if room.storey is not None and there is not None:
-            level = measured.level(there)
+        there = place(room.id, request, measured)
+        if room.storey is not None:
+            level = measured.level(there) if there is not None else None
             yield HomeDemand(
-                "storey", f"{room.id} on storey {room.storey}", _status(level == room.storey), f"on {level}"
+                "storey",
+                f"{room.id} on storey {room.storey}",
+                _status(level == room.storey),
+                f"on {level}" if there is not None else "no such room",
             )
 
 
@@ -286,9 +310,9 @@ def _envelope(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDema
 
 def _light(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     for room in request.rooms:
-        there = _place(room.id, request, measured)
-        if room.daylight is not None and there is not None:
-            lit = measured.lit(there)
+        there = place(room.id, request, measured)
+        if room.daylight is not None:
+            lit = measured.lit(there) if there is not None else None
             words = "with" if room.daylight else "without"
             yield HomeDemand(
                 "light", f"{room.id} {words} windows", _status(lit == room.daylight), "a window" if lit else "none"
@@ -300,27 +324,3 @@ def _excluded(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDema
         kin = {"hallway": {"hallway", "corridor"}}.get(type_, {type_})
         have = sum(room.type in kin for room in measured.home.rooms)
         yield HomeDemand("excluded", f"no {type_.replace('_', ' ')}", _status(have == 0), f"{have}")
-
-
-def _things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
-    """What is to be in rooms, and what is not, in those that are furnished: by the categories that its words name."""
-    from sceneweaver.language.read import read_request
-
-    for room in request.rooms:
-        there = _place(room.id, request, measured)
-        if there is None or there.scene is None:
-            continue
-        have = [thing.category for thing in there.scene.objects]
-        for wish in room.wishes:
-            wanted = {
-                entity.category: entity.count
-                for entity in read_request(f"a room {wish}" if wish.split()[0] in ("with", "for") else wish).entities
-            }
-            if wanted:
-                found = [name for name in wanted if name in have]
-                detail = ", ".join(f"{have.count(name)} {name}" for name in wanted)
-                yield HomeDemand("thing", f"{room.id}: {wish}", _status(len(found) == len(wanted), bool(found)), detail)
-        for words in room.unwanted:
-            barred = {entity.category for entity in read_request(f"a room with a {words}").entities}
-            found = [name for name in barred if name in have]
-            yield HomeDemand("thing", f"{room.id}: no {words}", _status(not found), ", ".join(found) or "none")

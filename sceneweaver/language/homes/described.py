@@ -5,6 +5,7 @@ from __future__ import annotations
 from sceneweaver.language.vocabulary import vocabulary
 
 from .lexicon import activities
+from .limits import LIMITS, say_limit
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -59,6 +60,8 @@ def read_before(reading: Reading, found: Named) -> None:
         elif token.has("own", "soft"):
             found.open = found.open or token.text == "open"
             own = own or token.text == "own"
+            if token.has("unmeasured"):
+                reading.say_vague(token)
             if token.has("vague") and is_look(token):
                 found.looks.insert(0, token.text)
             elif token.has("vague"):
@@ -99,13 +102,8 @@ def read_behind(reading: Reading, found: Named) -> None:
         if token.has("area"):
             low, high = token.get("area")
             seen, found.last = True, k
-            least = any(t.text in ("at least", "minimum") for t in tokens[found.at + 1 : k])
-            most = any(t.text in ("at most", "up to", "maximum") for t in tokens[found.at + 1 : k])
-            if least:
-                high = round(high * 1.35, 1)
-            elif most:
-                low = round(low * 0.75, 1)
             found.area = (low, high)
+            say_limit(reading, found, k)
         elif token.has("equal"):
             found.equal, found.last = True, k
         elif (
@@ -137,6 +135,7 @@ def read_behind(reading: Reading, found: Named) -> None:
                 "some",
                 "is",
                 "only",
+                *LIMITS,
             )
             or token.has("soft")
         ):

@@ -84,6 +84,10 @@ def _listed_before(reading: Reading, last: Named) -> list[Named]:
 def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
     """How many people an "each" means: those who were counted last, of the kind that follows it."""
     tokens = reading.tokens
+    if who is None and at > 2 and tokens[at - 1].has("person") and not tokens[at - 1].plural:
+        listed = [t for t in tokens[max(0, at - 6) : at] if t.has("person") and not t.plural]
+        if len(listed) > 1 and any(t.text in ("and", "&") for t in tokens[at - 4 : at]):
+            return len(listed)  # "the son and the daughter each have ..."
     for k in range(at - 1, max(-1, at - 30), -1):
         if (
             not tokens[k].has("person", "staff", "groups")

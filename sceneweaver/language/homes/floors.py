@@ -73,6 +73,8 @@ def _place(reading: Reading, sentence: range) -> None:
         behind, ahead = [n for n in names if k < n.at < until], [n for n in names if n.at < k]
         if behind and _leads(reading, sentence, names, k):
             leads.append((k, behind))
+        elif not behind and reading.live_storey and _is_whole_flat(reading, k, until):
+            reading.did(k, "storeys")  # "..., upstairs a flat": nothing of the rooms before
         elif ahead and _of_people(reading, ahead[-1], k):
             reading.sleep_storey = reading.sleep_storey or tokens[k].get("storey")
             reading.did(k, "storeys")
@@ -171,9 +173,13 @@ def _sleepers(reading: Reading, sentence: range, at: int) -> bool:
 
 def _whole_flat(reading: Reading, at: int, until: int) -> None:
     """ "Upstairs a flat for us": what a flat has besides is there as well."""
+    if _is_whole_flat(reading, at, until):
+        reading.live_storey = reading.live_storey or reading.tokens[at].get("storey")
+
+
+def _is_whole_flat(reading: Reading, at: int, until: int) -> bool:
     tokens = reading.tokens
-    if any(tokens[k].has("use") and tokens[k].text in ("flat", "apartment") for k in range(at + 1, until)):
-        reading.live_storey = reading.live_storey or tokens[at].get("storey")
+    return any(tokens[k].has("use") and tokens[k].text in ("flat", "apartment") for k in range(at + 1, until))
 
 
 def _is_of_home(reading: Reading, at: int) -> bool:

@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from .lexicon import plain
 from .mentions import is_thing
+from .owners import kin
 from .parts import Named, Person, Reading
 from .tokens import Token
+
+_NEW = ("a", "an", "another", "other", "second", "two", "one")
+"""Words before somebody who was not told before."""
+
+ELDER = ("mother", "mother-in-law")
+"""Elders whom one bare name may mean: "Gran"."""
 
 _OWNERS = ("my", "our", "his", "her", "their", "the")
 _ELDERS = ("father", "mother", "mum", "mom", "dad")
@@ -24,10 +31,10 @@ def read_people(reading: Reading) -> None:
 def _sentence(reading: Reading, sentence: range) -> None:
     tokens = reading.tokens
     depth = 0
-    work = reading.use.plan in ("clinic", "office")
     names = [one for one in reading.named if one.at in sentence]
     for at in sentence:
         token = tokens[at]
+        work = reading.use_of(at).plan in ("clinic", "office")
         if (
             at == reading.use_at
             and not work
@@ -138,8 +145,9 @@ def _workers(reading: Reading, at: int) -> None:
             reading.did(at + 3, "people")
         return
     single = plain(in_singular(token))
-    if single in reading.use.staff and number is not None:
-        kind = reading.use.staff[single]
+    staff = reading.use_of(at).staff
+    if single in staff and number is not None:
+        kind = staff[single]
         reading.staff[kind] = reading.staff.get(kind, 0) + number
         reading.did(at, "people")
         number_done(reading, at)
@@ -197,7 +205,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if role == "babies" and at + 1 < len(tokens) and tokens[at + 1].get("person") == "children":
         reading.did(at + 1, "people")  # "a baby girl" is one
     if role == "parents":
-        number = 1 if token.plural or token.text.endswith("s") else None
+        number = 1 if token.plural or any(word.endswith("s") for word in token.text.split()) else None
         role, count = ("couples" if number else "adults"), 1
         if token.text.startswith("grand"):
             role = "couples"
@@ -211,10 +219,10 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if role in ("children", "twins") and share and not reading.named_between(at, min(at + 6, sentence.stop)):
         reading.share = True
         for t in tokens[at + 1 : at + 5]:
-            if t.text in ("share", "together", "shares"):
+            if t.text in ("share", "together", "shares", "room", "bedroom"):
                 t.done = t.done or "people"
     if role == "seniors" and not before_article(tokens, at):
-        kin = next(
+        elder = next(
             (
                 p
                 for p in reading.people
@@ -222,14 +230,18 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
             ),
             None,
         )
-        if kin is not None:  # "my father ... grandad": one person
-            reading.people[reading.people.index(kin)] = Person("seniors", 1, kin.span)
+        if elder is not None:  # "my father ... grandad": one person
+            reading.people[reading.people.index(elder)] = Person("seniors", 1, elder.span, elder.who)
             reading.did(at, "people")
             return
+    who = kin(token.text) if not token.plural and count == 1 else ""
+    if who and _is_same_person(reading, who, at):
+        reading.did(at, "people")
+        return
     named_again = any(t.text in ("the",) for t in before) and any(p.role == role for p in reading.people)
     again = _said_again(reading, role, at)
     if not (named_again or again):
-        reading.people.append(Person(role, count, token.span))
+        reading.people.append(Person(role, count, token.span, who))
     reading.did(at, "people")
     number_done(reading, at)
 
@@ -269,6 +281,34 @@ def _said_again(reading: Reading, role: str, at: int) -> bool:
     many = [p for p in there if p.count > 1 and reading.text[p.span.start : p.span.end].lower() in _COLLECTIVE]
     own = at > 0 and tokens[at - 1].text in _OWNERS
     return own and any(t.breaks for p in many for t in tokens if p.span.end <= t.span.start < start)
+
+
+def _is_same_person(reading: Reading, who: str, at: int) -> bool:
+    """Whether somebody was told before: "my mother ... mum ... Gran"; "my mother and my grandmother" are two."""
+    tokens = reading.tokens
+    alike = [p for p in reading.people if p.who and (p.who == who or {p.who, who} <= {*ELDER} and _is_bare(tokens, at))]
+    if not alike:
+        return False
+    before = next((t for t in reversed(tokens[max(0, at - 3) : at]) if t.text in (*_NEW, "and", "&") or t.breaks), None)
+    if before is not None and before.text in _NEW:
+        return False
+    told = {plain(reading.text[p.span.start : p.span.end]) for p in alike}
+    listed = before is not None and before.text in ("and", "&")
+    owned = at > 0 and tokens[at - 1].text in ("my", "our")
+    if tokens[at].text not in told and owned and who not in ("mother", "father", "partner"):
+        return False
+    grand = tokens[at].text.startswith("gr") != any(word.startswith("gr") for word in told)
+    return not (listed and tokens[at].text not in told) and not (grand and owned and not _is_kin_of_told(told))
+
+
+def _is_bare(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether nobody's elder is called by a name alone: "Gran's room", "mum"."""
+    return not at or tokens[at - 1].text not in ("my", "our", "his", "her", "their", "a", "the")
+
+
+def _is_kin_of_told(told: set[str]) -> bool:
+    """Whether those who were told are called as children call them, so that another word may be for the same ones."""
+    return bool(told & {"gran", "granny", "nana", "oma", "opa", "grandad", "granddad", "grandpa", "grandma"})
 
 
 def _only_visits(tokens: tuple[Token, ...], at: int) -> bool:

@@ -7,23 +7,11 @@ from typing import Any
 from sceneweaver.plans.programme import AdjacencyKind
 
 from .lexicon import data
+from .owners import is_own
 from .parts import Joint, Named, Reading
 from .pronouns import PER_EACH, read_pronouns
+from .relations import deny, is_denied, no_room
 
-_WEAK = (
-    "by",
-    "near",
-    "at",
-    "behind",
-    "off",
-    "opposite",
-    "facing",
-    "in front of",
-    "sees",
-    "next to",
-    "beside",
-    "directly off",
-)
 _GAP = (
     "the",
     "a",
@@ -82,8 +70,20 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         return
     if left is None or _something_between(reading, left, at):
         return
+    how = ""
+    if kind in ("across", "across_each", "not_through"):
+        how, kind = (
+            ("not through" if kind == "not_through" else "opposite"),
+            ("opposite_ends" if kind == "across_each" else "near"),
+        )
+    start = max(left.last + 1, *(k + 1 for k in range(left.last, at) if reading.tokens[k].breaks), 0)
+    if kind in ("near", "door", "open") and not how and is_denied(reading.tokens, start, at):
+        deny(reading, start, at)
+        kind = "apart"
+    if kind == "near" and not how and no_room(reading, left):
+        kind = "apart"
     if kind == "opposite_ends":
-        _opposite(reading, names, at, left)
+        _opposite(reading, names, at, left, how)
         return
     if kind == "with_own":
         _with(reading, names, sentence, at)
@@ -93,7 +93,7 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         return
     end = _behind(reading, names, sentence, at)
     if isinstance(end, Named):
-        _put(reading, left, end, kind, at)
+        _put(reading, left, end, kind, at, how)
         if kind == "apart" and (more := _and_more(reading, names, end)) is not None:
             _put(reading, left, more, kind, at)
         elif kind == "apart" and (place := _and_place(reading, end, sentence)):
@@ -103,7 +103,7 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
             reading.joints.append(Joint(one, end, kind, token.span))
         reading.did(at, "joint")
     elif end == "" and left.of is None:
-        _to_pronoun(reading, names, at, left, kind)
+        _to_pronoun(reading, names, at, left, kind, how)
 
 
 def _something_between(reading: Reading, left: Named, at: int) -> bool:
@@ -133,11 +133,11 @@ def _together(reading: Reading, names: dict[int, Named], at: int) -> None:
         reading.did(at, "joint")
 
 
-def _opposite(reading: Reading, names: dict[int, Named], at: int, left: Named) -> None:
-    """ "Two bedrooms at opposite ends": apart from each other."""
+def _opposite(reading: Reading, names: dict[int, Named], at: int, left: Named, how: str) -> None:
+    """ "Two bedrooms at opposite ends", "study and bathroom share no wall": apart; or across from each other."""
     others = _list_to(names, left)
     other = others[-1] if others and left.count == 1 else left
-    reading.joints.append(Joint(other, left, "apart", reading.tokens[at].span))
+    reading.joints.append(Joint(other, left, "near" if how else "apart", reading.tokens[at].span, how=how))
     reading.did(at, "joint")
 
 
@@ -178,7 +178,9 @@ def _between(reading: Reading, names: dict[int, Named], sentence: range, at: int
             _done_pronoun(reading, at)
 
 
-def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: AdjacencyKind) -> None:
+def _to_pronoun(
+    reading: Reading, names: dict[int, Named], at: int, left: Named, kind: AdjacencyKind, how: str = ""
+) -> None:
     """ "A bathroom off each of them", "with a kitchen behind it"."""
     tokens = reading.tokens
     before = [one for one in reading.named if one.at < left.first and one.of is None and one.root is not left]
@@ -191,7 +193,7 @@ def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named,
     target = next((one for one in reversed(near) if not each or one.count is None or one.count > 1), near[-1])
     if each and left.told != "number" and (target.count or 2) > 1 and pronoun is not None and pronoun.has("each"):
         left.per = None if to_each else target  # one room with a door to each, or one off each
-    reading.joints.append(Joint(left, target, kind, tokens[at].span, each=left.per is not None or each))
+    reading.joints.append(Joint(left, target, kind, tokens[at].span, each=left.per is not None or each, how=how))
     reading.did(at, "joint")
     _done_pronoun(reading, at)
 
@@ -226,6 +228,8 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         private = tokens[at].has("joint") or any(
             t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at]
         )
+        if is_own(tokens[one.last + 1 : one.last + 4]):
+            private = True  # "with a bathroom of its own"
         own = private or one.kind.name == "ensuite"
         each = (
             left.of is not None
@@ -325,7 +329,12 @@ def _behind(reading: Reading, names: dict[int, Named], sentence: range, at: int)
             return ""  # "between the two"
         if any(one.first == k for one in reading.named):
             return ""
-        if not (token.text in _GAP or token.has("own", "soft", "size")) or token.breaks:
+        if (
+            not (
+                token.text in (*_GAP, "first", "second", "third", "last", "nearest") or token.has("own", "soft", "size")
+            )
+            or token.breaks
+        ):
             return None
     return None
 
@@ -363,7 +372,7 @@ def _subjects(reading: Reading, names: dict[int, Named], left: Named, at: int) -
     return [left]
 
 
-def _put(reading: Reading, left: Named, right: Named, kind: AdjacencyKind, at: int) -> None:
+def _put(reading: Reading, left: Named, right: Named, kind: AdjacencyKind, at: int, how: str = "") -> None:
     tokens = reading.tokens
     each = any(t.text in PER_EACH for t in tokens[at : right.first])
     if each and left.told != "number":
@@ -372,5 +381,5 @@ def _put(reading: Reading, left: Named, right: Named, kind: AdjacencyKind, at: i
         right.count = right.count if right.count is not None else None
     if left.root is right.root and left is not right:
         return
-    reading.joints.append(Joint(left, right, kind, tokens[at].span, each=each or kind == "apart"))
+    reading.joints.append(Joint(left, right, kind, tokens[at].span, each=each or kind == "apart", how=how))
     reading.did(at, "joint")

@@ -69,6 +69,15 @@ def room_kinds() -> Mapping[str, RoomKind]:
 
 
 @cache
+def trades() -> Mapping[str, Use]:
+    """Businesses that are named beside a home alone, by name."""
+    return {
+        name: Use(name, "office", {plain(word): kind for word, kind in row["means"].items()}, row["needs"], {}, {})
+        for name, row in data("trades").items()
+    }
+
+
+@cache
 def uses() -> Mapping[str, Use]:
     """All uses by name."""
     return {
@@ -105,11 +114,16 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         put(use.means, "means", True)
         for way, names in data("uses")[use.name]["words"].items():
             put(names, "use", (use.name, way == "whole"))
+    for name, row in data("trades").items():
+        put(row["words"], "trade", name)
     words, people = data("words"), data("people")
     for factor, names in words["sizes"].items():
         put(names, "size", float(factor))
     for joint, names in words["joints"].items():
         put(names, "joint", joint)
+    for side, names in words["sides"].items():
+        put(names, "side", side)
+    put(words["alone"], "alone")
     for place, names in words["places"].items():
         put(names, "place", place)
     for storey, names in words["storeys"].items():
@@ -126,6 +140,7 @@ def phrases() -> Mapping[str, Mapping[str, Any]]:
         "them",
         "soft",
         "vague",
+        "unmeasured",
         "units",
         "shared_by",
     ):
@@ -160,7 +175,7 @@ def known(phrase: str) -> tuple[Mapping[str, Any], bool] | None:
         kept = {
             k: v
             for k, v in (kinds or {}).items()
-            if k in ("room", "use", "person", "means", "visitors", "staff", "groups", "animal")
+            if k in ("trade", "room", "use", "person", "means", "visitors", "staff", "groups", "animal")
         }
         if kept:
             return kept, True

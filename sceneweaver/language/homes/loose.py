@@ -37,6 +37,9 @@ def read_loose(reading: Reading, sentence: range) -> None:
         start, end = at, max(at + long, thing_end(reading, at, sentence.stop))
         while start > sentence.start and _leads(tokens[start - 1]):
             start -= 1
+        if _is_said_of_room(reading, sentence, start):
+            at += 1
+            continue
         while end < sentence.stop and not tokens[end].breaks and not tokens[end].done and end - at < REST:
             follows = _compound(tokens, end, sentence.stop)
             with_more = tokens[end].text == "and" and any(t.text == "with" for t in tokens[at:end])
@@ -51,6 +54,15 @@ def read_loose(reading: Reading, sentence: range) -> None:
         for j in range(start, end):
             reading.did(j, "request")
         at = end
+
+
+def _is_said_of_room(reading: Reading, sentence: range, start: int) -> bool:
+    """Whether a thing is what a room is told to be or not to be: "the hall must not be a tunnel"."""
+    tokens = reading.tokens
+    if start <= sentence.start or tokens[start - 1].text not in ("be", "is", "are", "become"):
+        return False
+    clause = max((k for k in range(sentence.start, start) if tokens[k].breaks), default=sentence.start - 1)
+    return any(clause < one.at < start for one in reading.named)
 
 
 def _leads(token: Token) -> bool:

@@ -86,6 +86,40 @@ class MeasuredHome:
             now = then
         return found
 
+    def reached_without(self, room: str) -> frozenset[str]:
+        """The rooms that one gets to from the entrance without going through another one."""
+        ways, found = self.home.graph(), {name for name in self.entered() if name != room}
+        now = [*found]
+        while now:
+            now = [there for here in now for there, _ in ways[here] if there != room and there not in found]
+            found |= {*now}
+        return frozenset(found)
+
+    def opposite(self, a: str, b: str) -> str:
+        """The room that lies between two, with a door to each, or between their walls; empty where there is none."""
+        one, two = self.outlines[a].centroid, self.outlines[b].centroid
+        if self.home.room(a).storey != self.home.room(b).storey:
+            return ""
+        import shapely
+
+        line = shapely.LineString([one, two])
+        for room in self.home.rooms:
+            if room.id in (a, b) or room.storey != self.home.room(a).storey:
+                continue
+            if self.joined(a, room.id) and self.joined(room.id, b) and line.intersects(self.outlines[room.id]):
+                return f"across {room.id}"
+        return ""
+
+    def at_side(self, room: HomeRoom, side: str) -> bool:
+        """Whether a wall of a room is at the front, the side of the home in which the entrance is, or at its back."""
+        door = next(iter(self.home.entrances), None)
+        if door is None or room.outdoor:
+            return False
+        along = self.home.room(door.room).walls[door.wall].along
+        out = (along[1], -along[0]) if side == "front" else (-along[1], along[0])
+        reach = [x * out[0] + y * out[1] for r in self.home.rooms if not r.outdoor for x, y in r.outline]
+        return max(x * out[0] + y * out[1] for x, y in room.outline) >= max(reach) - WALL
+
     def narrowest(self, room: HomeRoom) -> float:
         """Width [m] of the widest disc that can go everywhere in a room but into its corners: its clear width."""
         outline = self.outlines[room.id]

@@ -22,6 +22,17 @@ _PLACES = ("places", "seats", "beds", "couches")
 _LIKE = ("able", "ible", "y", "ed", "er", "est", "ful", "ous", "ive", "ish", "ic", "al", "ent", "ant", "less")
 """How words end that say what a room is like, and not what it is for."""
 
+_SLEEP_IN = {
+    "seniors": "senior_bedroom",
+    "couples": "master_bedroom",
+    "parents": "master_bedroom",
+    "children": "childrens_room",
+    "adults": "bedroom",
+    "twins": "childrens_room",
+    "babies": "nursery",
+}
+"""The kind of room that people sleep in, by their role."""
+
 MANY = 5
 """People from which on a room of an office is one for a team."""
 
@@ -156,16 +167,7 @@ def _another(reading: Reading, at: int) -> Named | None:
 def _sleeper(reading: Reading, at: int) -> Named | None:
     """ "Grandad sleeps downstairs", "the twins together in one big bed": their bedroom."""
     before = reading.tokens[at - 1] if at else None
-    kinds = {
-        "seniors": "senior_bedroom",
-        "couples": "master_bedroom",
-        "parents": "master_bedroom",
-        "children": "childrens_room",
-        "adults": "bedroom",
-        "twins": "childrens_room",
-        "babies": "nursery",
-    }
-    name = kinds.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
+    name = _SLEEP_IN.get(before.get("person")) if before is not None and reading.use.plan in ("flat", "house") else None
     if name is None or reading.tokens[at].text == "together" and name != "childrens_room":
         return None
     reading.did(at, "rooms")
@@ -174,10 +176,31 @@ def _sleeper(reading: Reading, at: int) -> Named | None:
     )
 
 
+def _of_person(reading: Reading, at: int) -> str | None:
+    """The kind of "Gran's room", or of "her room" where a person was told before; None where it is nobody's."""
+    tokens = reading.tokens
+    before = tokens[at - 1] if at else None
+    if (
+        before is None
+        or reading.use.plan not in ("flat", "house")
+        or at + 1 < len(tokens)
+        and tokens[at + 1].text == "for"
+    ):
+        return None
+    if before.has("person") and before.text.endswith(("'s", "s'")):
+        return _SLEEP_IN.get(before.get("person"))
+    if before.text not in ("her", "his"):
+        return None
+    told = next((t for t in reversed(tokens[max(0, at - 14) : at - 1]) if t.has("person")), None)
+    return _SLEEP_IN.get(told.get("person")) if told is not None and not told.plural else None
+
+
 def _kind(reading: Reading, at: int) -> RoomKind | None:
     """The kind of room that a token names here; None where it names none."""
-    tokens, use = reading.tokens, reading.use
+    tokens, use = reading.tokens, reading.use_of(at)
     token = tokens[at]
+    if reading.second is not None and token.has("trade") and reading.business[at]:
+        return room_kinds()[use.means.get(plain(_singular(token)), next(iter(use.needs)).split("|")[0])]
     if token.text in ("space", "area") and use.plan == "office" and use.name != "school":
         return room_kinds()["open_office"] if is_open(tokens, at, token.text) else None
     if token.text == "ours" and at and tokens[at - 1].has("joint") and use.plan in ("flat", "house"):
@@ -211,6 +234,8 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return room_kinds()["open_office"]
     if for_each(reading, at):
         return room_kinds()[meant or "bedroom"]
+    if single in ("room", "bedroom") and not token.plural and (theirs := _of_person(reading, at)) is not None:
+        return room_kinds()[theirs]
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and (done := _by_activity(reading, at)) is not None:
@@ -403,7 +428,7 @@ def _is_compound_thing(before: Token, token: Token) -> bool:
 
 def is_thing(token: Token) -> bool:
     """Whether a token is a thing of a room by the vocabulary, and nothing of a home."""
-    if token.kinds and not set(token.kinds) <= {"plot", "means", "place", "staff"}:
+    if token.kinds and not set(token.kinds) <= {"trade", "plot", "means", "place", "staff"}:
         return False
     kinds = vocabulary().get(plain(token.text), {})
     return "noun" in kinds and "room" not in kinds

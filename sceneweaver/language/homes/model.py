@@ -10,6 +10,9 @@ from sceneweaver.language.model import Span, Unread
 from sceneweaver.plans import Envelope, Profile, Programme, Rule, envelope_for
 from sceneweaver.plans.programme import AdjacencyKind
 
+INNER, TIGHT = 0.1, 0.98
+"""Thickness of the walls between rooms [m], and share of the most floor of a home that its envelope is made for."""
+
 HALL = 1.08
 """What `sceneweaver.plans.envelope_for` multiplies the floor of a programme without a hall with."""
 
@@ -30,6 +33,7 @@ class RoomAsked:
         equal: whether it is to be as large as the others of its name.
         outside: whether a door of its own is to lead outside.
         area: (least, most) [m2] as it was said; None where it was not.
+        least, most: floor [m2] that it was said to have at least and at most.
         storey: on which it was said to be, 0 the ground floor; None where it was not.
         daylight: whether it was said to have windows; None where it was not.
         assumed: whether the request does not name it.
@@ -47,6 +51,8 @@ class RoomAsked:
     equal: bool = False
     outside: bool = False
     area: tuple[float, float] | None = None
+    least: float | None = None
+    most: float | None = None
     storey: int | None = None
     daylight: bool | None = None
     assumed: bool = False
@@ -65,13 +71,20 @@ class Understood:
 
 @dataclass(frozen=True)
 class JointAsked:
-    """What the request says of rooms to each other: ids, or "entrance" and "street" in the place of ``b``."""
+    """What the request says of rooms to each other: ids, or a ``place`` in their stead: entrance, street, front, back.
+
+    ``how`` says what no adjacency does: "opposite" of each other, "not through" the room ``b`` on the way to ``a``.
+    """
 
     a: tuple[str, ...]
     b: tuple[str, ...]
     kind: AdjacencyKind
     words: str
     place: str = ""
+    how: str = ""
+
+
+Status = Literal["met", "partly", "not met", "not understood"]
 
 
 @dataclass(frozen=True)
@@ -79,16 +92,21 @@ class HomeDemand:
     """Something that a request asks for, as measured in a finished home.
 
     Attributes:
-        kind: count, area, room_area, joint, outside, storeys, storey, profile, envelope, light, excluded, thing.
-        words: what is asked for.
+        kind: count, area, room_area, joint, outside, storeys, storey, profile, envelope, light, excluded, thing,
+            style; words for what was not understood.
+        words: what is asked for; of what was not understood, the words of the request.
         status: whether it is so.
         detail: the numbers.
     """
 
     kind: str
     words: str
-    status: Literal["met", "partly", "not met"]
+    status: Status
     detail: str
+
+    def to_dict(self) -> dict[str, str]:
+        """As JSON data: words, kind, status, and what was found."""
+        return {"words": self.words, "kind": self.kind, "status": self.status, "found": self.detail}
 
 
 @dataclass(frozen=True)
@@ -106,7 +124,8 @@ class HomeRequest:
         counts: how many rooms of a kind were asked for in so many words, by type of the plan.
         people: how many live or work there; None where nothing tells it.
         styles: words for the style of all rooms.
-        area: of all rooms together [m2]; width, depth: of the envelope [m].
+        area: of all rooms together [m2]; least, most: what they are to have at least and at most, where that is said.
+        width, depth: of the envelope [m].
         l_shape: whether the envelope is L-shaped.
         window_sides: how many sides may have windows.
         storeys: how many were asked for in so many words.
@@ -114,7 +133,8 @@ class HomeRequest:
         excluded: types of rooms that are not wanted.
         understood: the words of the request with what became of them.
         assumed: what the request does not say and was chosen, one line each.
-        unread: words that were not understood.
+        unread: phrases that were not understood.
+        remarks: what is said and is no demand: greetings, ages, reasons.
         notes: what else the user should know.
     """
 
@@ -129,6 +149,8 @@ class HomeRequest:
     people: int | None = None
     styles: tuple[str, ...] = ()
     area: float | None = None
+    least: float | None = None
+    most: float | None = None
     width: float | None = None
     depth: float | None = None
     l_shape: bool = False
@@ -140,6 +162,7 @@ class HomeRequest:
     understood: tuple[Understood, ...] = ()
     assumed: tuple[str, ...] = ()
     unread: tuple[Unread, ...] = ()
+    remarks: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = ()
 
     def room(self, room_id: str) -> RoomAsked:
@@ -183,6 +206,25 @@ class HomeRequest:
             >>> max(x for x, _ in envelope.outline), envelope.open_walls
             (6.0, (0, 2))
         """
+        return self._limited(self._fitting(seed))
+
+    def _limited(self, envelope: Envelope) -> Envelope:
+        """An envelope whose rooms have no more floor together than the home may have at most."""
+        import shapely
+
+        if self.most is None:
+            return envelope
+        rooms = [room for room in self.programme.rooms if not {"outdoor", "stairs"} & room.kind.roles]
+        net = sum(room.area[1] for room in rooms) / sum((room.area[1] ** 0.5 + INNER) ** 2 for room in rooms)
+        have = shapely.Polygon(envelope.inner).area * envelope.storeys * net
+        share = (TIGHT * self.most / have) ** 0.5
+        if share >= 1.0:
+            return envelope
+        outline = tuple((int(x * share * 20) / 20, int(y * share * 20) / 20) for x, y in envelope.outline)
+        return envelope.model_copy(update={"outline": outline})
+
+    def _fitting(self, seed: int) -> Envelope:
+        """The envelope of the sides, the shape and the light that are asked for."""
         chosen = envelope_for(self._without_hall() if self.area is not None else self.programme, seed)
         if not (self.width or self.depth or self.l_shape or self.window_sides):
             return chosen

@@ -25,16 +25,20 @@ def add_needed(reading: Reading, rooms: list[Room]) -> list[str]:
     if guests and not any(room.kind.name == "guest_room" for room in rooms):
         _add(rooms, "guest_room", 1)
         said.append("a guest room: for those who come to stay")
-    for name, count in reading.use.needs.items():
+    second = dict(reading.second.needs) if reading.second is not None else {}
+    for name, count in [*reading.use.needs.items(), *second.items()]:
         options = name.split("|")
         if any(room.counts_as(option) or option in room.kind.counts_as for room in rooms for option in options):
             continue
-        if options[0] in barred or _instead(options[0], rooms, barred):
+        theirs = name in second and options[0] == "washroom"  # those who come to a business have a toilet there
+        toilets = theirs and not any(room.type in ("washroom", "guest_toilet", "accessible_toilet") for room in rooms)
+        if options[0] in barred or _instead(options[0], rooms, barred) and not toilets:
             continue
         if options[0] == "bathroom":
             continue
         _add(rooms, options[0], count)
-        said.append(f"{_counted(options[0], count)}: a {reading.use.name.replace('_', ' ')} has it")
+        whose = reading.second if name in second and reading.second is not None else reading.use
+        said.append(f"{_counted(options[0], count)}: a {whose.name.replace('_', ' ')} has it")
     said += _bathrooms(reading, rooms)
     said += _ways(reading, rooms, barred)
     said += _accessible(reading, rooms)

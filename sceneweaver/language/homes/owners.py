@@ -7,12 +7,24 @@ from collections.abc import Sequence
 from .parts import Named, Reading
 from .tokens import Token
 
-_KIN = {
+KIN = {
     "mother": ("mother", "mum", "mom", "mama", "elderly mother", "grandmother", "grandma", "granny", "gran", "nana"),
     "father": ("father", "dad", "papa", "elderly father", "grandfather", "grandpa", "grandad", "granddad"),
-    "mother-in-law": ("mother in law", "mother-in-law"),
+    "mother-in-law": ("mother in law", "mother-in-law", "mum in law", "mil"),
     "father-in-law": ("father in law", "father-in-law"),
-    "parents": ("parents", "grandparents", "in laws"),
+    "parents": ("parents", "grandparents", "in laws", "parents in law", "mum and dad", "folks"),
+    "partner": (
+        "husband",
+        "wife",
+        "partner",
+        "spouse",
+        "fiance",
+        "fiancee",
+        "fianc\u00e9",
+        "fianc\u00e9e",
+        "boyfriend",
+        "girlfriend",
+    ),
 }
 _OWN = ("her", "his", "their", "its")
 
@@ -28,11 +40,13 @@ def read_owners(reading: Reading) -> None:
         for one in names:
             before = tokens[one.at - 1] if one.at > sentence.start else None
             if before is not None and before.text.endswith("'s"):
-                one.owner = _kin(before.text.removesuffix("'s"))
+                one.owner = kin(before.text.removesuffix("'s"))
             elif tokens[one.at].text.split()[0].endswith("'s") and one.kind.counts_as:
-                one.owner = _kin(tokens[one.at].text.split("'s")[0])
-            elif _is_own(tokens[one.first : one.at]) or _is_own(tokens[one.last + 1 : one.last + 4]):
-                one.owner = next((kin for t in reversed(tokens[sentence.start : one.first]) if (kin := _whose(t))), "")
+                one.owner = kin(tokens[one.at].text.split("'s")[0])
+            elif is_own(tokens[one.first : one.at]) or is_own(tokens[one.last + 1 : one.last + 4]):
+                one.owner = next(
+                    (whose for t in reversed(tokens[sentence.start : one.first]) if (whose := _whose(t))), ""
+                )
         for one, two in zip(names, names[1:], strict=False):
             gap = tokens[one.last + 1 : two.first]
             listed = len(gap) < LISTED and all(t.breaks or t.text == "and" for t in gap)
@@ -40,7 +54,7 @@ def read_owners(reading: Reading) -> None:
                 two.owner = one.owner
 
 
-def _is_own(said: Sequence[Token]) -> bool:
+def is_own(said: Sequence[Token]) -> bool:
     """Whether words say that a room is somebody's own: "her own", "of their own"."""
     return any(one.text in _OWN and two.text.split()[0] == "own" for one, two in zip(said, said[1:], strict=False))
 
@@ -53,9 +67,9 @@ def _is_list_of(reading: Reading, one: Named) -> bool:
 
 
 def _whose(token: Token) -> str:
-    return _kin(token.text) if token.has("person", "visitors") else ""
+    return kin(token.text) if token.has("person", "visitors") else ""
 
 
-def _kin(word: str) -> str:
+def kin(word: str) -> str:
     """One word for those who are called by several; the word itself where nobody is."""
-    return next((name for name, words in _KIN.items() if word in words), word)
+    return next((name for name, words in KIN.items() if word in words), word)

@@ -28,6 +28,7 @@ class Named:
         open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each,
             side: least width [m].
         storey: "ground", "upper" ... as it was said.
+        least, most: floor [m2] of each that is not to be gone below, and not above.
         equal: whether they are told to be of one size; more: whether it is one more of those before ("a separate one").
         outside: "also" or "only" where it has a door of its own that leads outside.
         owner: whose it is told to be alone ("mother", of "her own bathroom").
@@ -49,6 +50,8 @@ class Named:
     times: int = 1
     size: float | None = None
     area: tuple[float, float] | None = None
+    least: float | None = None
+    most: float | None = None
     side: float | None = None
     equal: bool = False
     more: bool = False
@@ -57,6 +60,8 @@ class Named:
     open: bool = False
     storey: str | None = None
     accessible: bool = False
+    alone: Span | None = None
+    """Where it says that nobody is to be behind its walls."""
     daylight: bool | None = None
     looks: list[str] = field(default_factory=list[str])
     wishes: list[str] = field(default_factory=list[str])
@@ -81,6 +86,8 @@ class Joint:
     span: Span
     each: bool = False
     hard: bool = True
+    how: str = ""
+    """ "opposite" or "not through", which no adjacency says."""
 
 
 @dataclass
@@ -90,6 +97,8 @@ class Person:
     role: str
     count: int
     span: Span
+    who: str = ""
+    """What somebody who is told alone is called: "mother", also where he is called mum; empty for several."""
 
 
 @dataclass
@@ -100,6 +109,10 @@ class Reading:
     tokens: tuple[Token, ...]
     use: Use
     use_at: int | None
+    second: Use | None = None
+    """The business that a home is told to have beside it."""
+    business: list[bool] = field(default_factory=list[bool])
+    """For each token whether it tells of the business."""
     named: list[Named] = field(default_factory=list[Named])
     joints: list[Joint] = field(default_factory=list[Joint])
     people: list[Person] = field(default_factory=list[Person])
@@ -120,6 +133,9 @@ class Reading:
     one_storey: bool = False
     accessible: bool = False
     area: tuple[float, float] | None = None
+    least: float | None = None
+    most: float | None = None
+    """Floor [m2] of the home that is not to be gone below, and not above."""
     scale: float = 1.0
     """Factor on the usual areas of all rooms."""
     width: float | None = None
@@ -138,8 +154,14 @@ class Reading:
     unwanted: list[tuple[str, Span]] = field(default_factory=list[tuple[str, Span]])
     """Things that are not wanted."""
     notes: list[str] = field(default_factory=list[str])
+    unmeasured: list[Span] = field(default_factory=list[Span])
+    """Where it says what a plan is to be like and has no measure of: "quiet", "in the middle"."""
     rows: list[tuple[Span, str, str]] = field(default_factory=list[tuple[Span, str, str]])
     """What was understood: where it stands, of what kind it is, what became of it."""
+
+    def use_of(self, at: int) -> Use:
+        """The use that a token tells of: that of the business, where it does, else that of the home."""
+        return self.second if self.second is not None and at >= 0 and self.business[at] else self.use
 
     def did(self, token: Token | int, what: str) -> None:
         """Token is accounted for."""
@@ -147,7 +169,11 @@ class Reading:
         one.done = one.done or what
 
     def say_vague(self, token: Token) -> None:
-        """A note that no plan is measured by a word."""
+        """What is said of a home and no plan is measured by: a demand not understood, or praise with a note."""
+        if token.has("unmeasured"):
+            if token.span not in self.unmeasured:
+                self.unmeasured.append(token.span)
+            return
         note = f"'{token.text}': nothing of a plan is measured by it"
         if note not in self.notes:
             self.notes.append(note)

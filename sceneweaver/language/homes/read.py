@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from sceneweaver.language.model import Span, Unread
 from sceneweaver.language.vocabulary import category_of, vocabulary
 from sceneweaver.plans import room_type
 from sceneweaver.plans import room_types as plan_types
@@ -18,15 +17,18 @@ from .households import read_people
 from .joined import read_joints
 from .lexicon import Use, uses
 from .mentions import read_mentions
+from .mixed_use import join_business, mixed_in, place_business, regions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
 from .outside import read_outside
 from .owners import read_owners
 from .parts import Joint, Named, Reading
+from .relations import read_relations
 from .residents import people_told, settle
 from .resolve import Room, bedroomlike, resolve
 from .site import read_site
 from .tokens import Spoken, Token, spoken
+from .unread import read_rest
 from .use_named import use_by_rooms, use_in
 from .widths import read_widths
 from .wishes import read_wishes
@@ -49,6 +51,7 @@ def read_home(request: str) -> HomeRequest:
     reading, said = read_parts(request)
     rooms = resolve(reading)
     assumed = add_needed(reading, rooms)
+    assumed += place_business(reading, rooms)
     count, placed = storeys_of(reading, rooms)
     assumed += place_rooms(reading, rooms, count, placed)
     for token in reading.tokens:
@@ -65,6 +68,7 @@ def read_home(request: str) -> HomeRequest:
     told = {room.id for room in own if room.area is not None or room.size}
     programme = balanced(programme, told, sum(reading.area) / 2 if reading.area else None)
     programme = alike(programme, [one.ids for one in reading.named if one.equal])
+    unread, remarks = read_rest(reading)
     return HomeRequest(
         text=request,
         language=said.language,
@@ -77,6 +81,8 @@ def read_home(request: str) -> HomeRequest:
         people=people_told(reading) or reading.household or reading.workers,
         styles=tuple(dict.fromkeys(reading.styles)),
         area=round(sum(reading.area) / 2, 1) if reading.area else None,
+        least=reading.least,
+        most=reading.most,
         width=reading.width,
         depth=reading.depth,
         doors=reading.doors,
@@ -87,7 +93,8 @@ def read_home(request: str) -> HomeRequest:
         excluded=tuple(dict.fromkeys(one.kind.type for one in reading.named if one.barred)),
         understood=tuple(_understood(reading)),
         assumed=tuple(assumed),
-        unread=tuple(_unread(reading)),
+        unread=tuple(unread),
+        remarks=tuple(remarks),
         notes=tuple(dict.fromkeys(notes)),
     )
 
@@ -104,7 +111,12 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         found = (use_by_rooms(kinds, 2 if any(t.has("storey") for t in said.tokens) else 1), None)
     elif said.tokens[found[1] or 0].text == "place" and _is_storeyed(said.tokens):
         found = (uses()["house"], found[1])
+    mixed = mixed_in(said.tokens)
+    if mixed is not None and use is None:
+        found = mixed[:2]
     reading = Reading(request, said.tokens, use or found[0], found[1])
+    if mixed is not None and use is None:
+        reading.second, reading.business = mixed[2], regions(said.tokens)
     if found[1] is not None:
         reading.did(found[1], "use")
         token = said.tokens[found[1]]
@@ -113,8 +125,10 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
         if token.has("use") and token.get("use")[1] and not token.has("room"):
             reading.did(token, "use")  # where it stands, or what it is called again
     read_mentions(reading)
+    join_business(reading)
     read_owners(reading)
     read_outside(reading)
+    read_relations(reading)
     read_joints(reading)
     read_floors(reading)
     read_widths(reading)
@@ -188,6 +202,8 @@ def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]
             equal=any(one.equal for one in named),
             outside=any(one.outside for one in named),
             area=next((one.area for one in named if one.area is not None), None),
+            least=next((one.least for one in named if one.least is not None), None),
+            most=next((one.most for one in named if one.most is not None), None),
             storey=placed.get(room.id) if room.storey else None,
             daylight=next((one.daylight for one in named if one.daylight is not None), None),
             assumed=not named,
@@ -288,37 +304,3 @@ def _understood(reading: Reading) -> list[Understood]:
             rows.append((one.span, "request", f"{words}: in the request of {', '.join(one.root.ids)}"))
     rows.sort(key=lambda one: (one[0].start, one[0].end))
     return [Understood(reading.text[s.start : s.end], kind, row, s) for s, kind, row in rows]
-
-
-def _unread(reading: Reading) -> list[Unread]:
-    """Runs of words that became nothing; small words, and words that no plan can answer, are no part of them."""
-    found: list[Unread] = []
-    run: list[Span] = []
-    for token in (*reading.tokens, None):
-        open_ = (
-            token is not None
-            and not token.done
-            and not token.breaks
-            and not token.has(
-                "function",
-                "soft",
-                "own",
-                "each",
-                "no",
-                "them",
-                "equal",
-                "of_them",
-                "animal",
-                "we",
-                "me",
-            )
-            and any(c.isalnum() for c in token.text)
-            and token.text not in ("a", "an", "one")
-        )
-        if open_ and token is not None:
-            run.append(token.span)
-        elif run:
-            start, end = min(s.start for s in run), max(s.end for s in run)
-            found.append(Unread(words=reading.text[start:end].lower(), span=Span(start, end)))
-            run = []
-    return found

@@ -15,6 +15,9 @@ _ROLE = {
 }
 
 
+_ELDERS = ("mother", "father", "mother-in-law", "father-in-law")
+
+
 def settle(reading: Reading) -> None:
     """Adults of a family that names its children, and partners as couples."""
     roles = {person.role for person in reading.people}
@@ -33,15 +36,27 @@ def settle(reading: Reading) -> None:
             continue
         found.append(person)
     spoken = {token.text for token in reading.tokens}
-    if not any(p.role in ("couples", "adults") for p in found) and found and reading.use.plan in ("flat", "house"):
+    elders = [p for p in found if p.role == "adults" and p.who in _ELDERS and not _is_called_one(reading, p)]
+    elders = [] if _is_speaker(reading) else elders
+    if (
+        not any(p.role in ("couples", "adults") and p not in elders for p in found)
+        and found
+        and reading.use.plan in ("flat", "house")
+    ):
         we, me = bool(spoken & {"we", "us", "our", "we're", "we'd"}), bool(spoken & {"i", "me", "my", "i'm", "myself"})
         if we and any(p.role in ("children", "twins", "babies", "seniors") for p in found):
             found.insert(0, Person("couples", 1, found[0].span))
-        elif me and not we:
+        elif me and not we or elders and (me or _speaker_counts(reading)):
             found.insert(0, Person("adults", 1, found[0].span))
     elif {p.role for p in found} & {"adults", "couples"} == {"adults"} and _speaker_counts(reading):
         found.append(Person("adults", 1, found[0].span))
     reading.people = found
+
+
+def _is_called_one(reading: Reading, person: Person) -> bool:
+    """Whether an adult is told as one of many: "a single mum", and not "my mum"."""
+    before = reading.text[: person.span.start].lower().split()
+    return bool(before) and before[-1] in ("a", "an", "single", "divorced", "widowed", "working", "lone")
 
 
 def _speaker_counts(reading: Reading) -> bool:

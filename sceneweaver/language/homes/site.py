@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from .limits import ABOVE, ROOM, limit_of, say_limit
 from .parts import Reading
 
 WHOLE = 0.5
 """Share of what a word for a size changes of one room that it changes of all of them."""
-
-BELOW = 0.93
-"""Share of an area that a home may have at most from which on it may have it."""
-
-_MOST = ("at most", "up to", "maximum", "max", "under", "below", "less", "no more", "not more")
 
 SMALLEST = 14.0
 """Least floor of a home [m2]."""
@@ -75,21 +71,27 @@ def _area(reading: Reading, at: int) -> None:
     before = next((one for one in reversed(reading.named) if one.last < at), None)
     if (
         before is not None
+        and not (before.told == "total" and before.last < (reading.use_at or -1) < at)
         and before.root.area is None
         and 0 < at - before.last <= 4
         and not any(t.breaks for t in reading.tokens[before.last + 1 : at])
     ):
         before.root.area = (low, high)
+        say_limit(reading, before.root, at)
     elif high < SMALLEST and reading.named:
         return  # no home is as small
     else:
-        if any(t.text in _MOST for t in reading.tokens[max(0, at - 2) : at + 2]):
-            low = round(BELOW * high, 1)
-            for k in range(max(0, at - 2), min(at + 2, len(reading.tokens))):
-                if reading.tokens[k].text in _MOST:
-                    reading.did(k, "area")
+        limit, words = limit_of(reading.tokens, at)
+        if limit == "most":
+            reading.most, low = high, round(ROOM * high, 1)
+        elif limit == "least":
+            reading.least, high = low, round(ABOVE * low, 1)
+        for k in words:
+            reading.did(k, "area")
         reading.area = (low, high)
-        reading.rows.append((token.span, "area", f"{(low + high) / 2:g} m2 in all"))
+        said = {"most": "at most ", "least": "at least ", "": ""}[limit]
+        number = {"most": high, "least": low, "": (low + high) / 2}[limit]
+        reading.rows.append((token.span, "area", f"{said}{number:g} m2 in all"))
     reading.did(at, "area")
 
 

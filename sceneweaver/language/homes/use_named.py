@@ -57,7 +57,7 @@ def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
     found: list[tuple[bool, int, str]] = []
     for at, token in enumerate(tokens):
         named = token.get("use")
-        if named is None or _is_setting(tokens, at) or _is_modifier(tokens, at) or _is_one_room(tokens, at):
+        if named is None or is_setting(tokens, at) or _is_modifier(tokens, at) or _is_one_room(tokens, at):
             continue
         if named[1] and (token.plural or not _is_noun(tokens, at)):
             continue
@@ -72,7 +72,15 @@ def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
     return uses()[name], at
 
 
-def _is_setting(tokens: Sequence[Token], at: int) -> bool:
+def is_named_home(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a token names a home that is asked for, beside a business: "upstairs a flat", "and our house"."""
+    named = tokens[at].get("use")
+    if named is None or not named[1] or tokens[at].plural or tokens[at].text in _WEAK and not _is_asked(tokens, at):
+        return False
+    return not (is_setting(tokens, at) or _is_modifier(tokens, at) or _is_one_room(tokens, at)) and _is_noun(tokens, at)
+
+
+def is_setting(tokens: Sequence[Token], at: int) -> bool:
     """Whether a home is only where the room is: "in a flat", "of our house"."""
     k = at - 1
     while k >= 0 and not tokens[k].breaks and at - k < 6:

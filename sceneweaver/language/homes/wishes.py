@@ -32,6 +32,9 @@ _FILLED = ("lined", "filled", "full", "fitted", "equipped", "furnished", "comple
 
 _BEFORE_PLACE = ("the", "a", "an", "our", "my", "for", "for each", "each", "each of them", "each of us", "of them")
 
+_BEDS = ("double", "single", "twin", "queen", "king", "bunk")
+"""Sizes of beds, by which one is meant."""
+
 _COPULAS = ("is", "are", "should", "must", "be", "painted", "all", "please", "to", "has")
 
 _KEEP_SMALL = ("at", "next", "under", "by", "beside", "behind", "above", "in", "to", "on")
@@ -51,7 +54,10 @@ def _unwanted(reading: Reading, sentence: range) -> None:
     """Rooms and things that are not to be there."""
     tokens = reading.tokens
     for at in sentence:
-        if not tokens[at].has("no") or tokens[at].done:
+        if not tokens[at].has("no") or tokens[at].done or at + 1 < len(tokens) and tokens[at + 1].text == "be":
+            continue
+        if (words := _other_size(reading, sentence, at)) is not None:
+            reading.unwanted.append(words)
             continue
         barring = True
         for k in range(at + 1, min(at + 12, sentence.stop)):
@@ -85,6 +91,19 @@ def _unwanted(reading: Reading, sentence: range) -> None:
                 and not token.has("no", "size", "own")
             ):
                 break
+
+
+def _other_size(reading: Reading, sentence: range, at: int) -> tuple[str, Span] | None:
+    """ "Two single beds, not a double": the thing that was named before, of another size."""
+    tokens = reading.tokens
+    k = at + 1 + (at + 1 < sentence.stop and tokens[at + 1].text in ("a", "an", "the"))
+    if k >= sentence.stop or tokens[k].text not in _BEDS or k + 1 < sentence.stop and not tokens[k + 1].breaks:
+        return None
+    if not any(word in ("bed", "beds") for j in range(sentence.start, at) for word in tokens[j].text.split()):
+        return None
+    for j in range(at, k + 1):
+        reading.did(j, "not wanted")
+    return f"{tokens[k].text} bed", tokens[k].span
 
 
 def _before_rooms(reading: Reading, sentence: range) -> None:

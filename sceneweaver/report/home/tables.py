@@ -138,3 +138,11 @@ def verdict(metrics: Mapping[str, Any]) -> tuple[str, str]:
     if not values:
         return "unknown", "not checked"
     return ("good", "valid") if all(values) else ("bad", "not valid")
+
+
+def demand_rows(design: Mapping[str, Any]) -> list[tuple[str, str, str, str]]:
+    """Each demand of a design: a tone, what became of it, its words, what was found."""
+    tones = {"met": "good", "partly": "fair", "not met": "bad", "not understood": "unknown"}
+    rows = [row for row in design.get("demands") or () if isinstance(row, Mapping)]
+    texts = [tuple(str(row.get(key, "")) for key in ("status", "words", "found")) for row in rows]
+    return [(tones.get(status, "unknown"), status, words, found) for status, words, found in texts]
