@@ -84,7 +84,15 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
         return end, "clause"
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
         return at, ""
-    return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
+    end = _end(tokens, k + 1, first > at)
+    if (first > at or of_people) and end == k + 1 and _is_by_place(tokens[k]):
+        end = _end_of_bare(tokens, end)  # "I ladle soup"
+    return end, "clause" if first > at else "verb"
+
+
+def _is_by_place(token: Token) -> bool:
+    """Whether a token is a verb by where it stands alone (see `parts_of_speech`)."""
+    return token.kinds.keys() == {"action"}
 
 
 def _end_of_trade(tokens: list[Token], k: int) -> int:
@@ -145,7 +153,7 @@ def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people
     if form is None or (token.has("preposition") and form == "ing"):
         return False
     if of_people and not modal:
-        return form == "base" and not token.has("noun", "abstract")
+        return _is_by_place(token) or (form == "base" and not token.has("noun", "abstract"))
     if not (has_subject or modal):
         return False
     return form in ("base", "s", "ed") or modal

@@ -29,6 +29,7 @@ _NO_VERB = (
     "modal",
     "while",
 )
+# What is known as a verb keeps what it says of things.
 _VERBS = ("action", "trade", "verb", "passive", "verb_stop", "stop")
 """Kinds that say already which verb a token is."""
 
@@ -88,8 +89,17 @@ def _form(tokens: list[Token], k: int) -> str | None:
     if first.text in data["third"] and not (before and _governs(tokens[before - 1])):
         return "s" if ends_in_s else None
     if _is_relative(tokens, k):
-        return "s" if ends_in_s else None
-    return None
+        return "s" if ends_in_s or tokens[k - 2].has("plural") else None
+    return "s" if ends_in_s and _has_role_for_subject(tokens, k) else None
+
+
+def _has_role_for_subject(tokens: list[Token], k: int) -> bool:
+    """Whether one person stands right before a word in s with something that it is about: "the clerk files papers"."""
+    if k < 2 or k + 1 >= len(tokens) or tokens[k].has("number"):
+        return False
+    article, person, about = tokens[k - 2], tokens[k - 1], tokens[k + 1]
+    one = person.has("people_words", "whom") and not person.has("noun", "plural") and article.has("det")
+    return one and about.has("noun", "det", "matter") and not about.has("verb", "preposition", "number")
 
 
 def _is_relative(tokens: list[Token], k: int) -> bool:

@@ -92,7 +92,12 @@ def _keep_out(tokens: list[Token], at: int, found: list[Token]) -> int:
     if tokens[at].text not in words("refusals")["keep"]:
         return 0
     end = _names(tokens, at + 1)
-    if end == at + 1 or end >= len(tokens) or tokens[end].text not in ("out", "away") or not _ends(tokens, end + 1):
+    if (
+        end == at + 1
+        or end >= len(tokens)
+        or tokens[end].text not in ("out", "away", "off")
+        or not _ends(tokens, end + 1)
+    ):
         return 0
     named = [token for token in tokens[at + 1 : end] if token.text not in ("the", "all", "any")]
     found += [_no(tokens[at].start), *named, _stop(tokens[end].end)]

@@ -15,7 +15,7 @@ from .vocabulary import Verb, frame, words
 _MOST_OPEN = 6
 """Words between "so" and its modal verb at most: "so the boy in the wheelchair can"."""
 
-_OPENS = 3
+_OPENS = 4
 """Tokens that what opens a clause consists of at most."""
 
 _PEOPLE = ("person", "people_words", "whom")
@@ -35,7 +35,8 @@ def without_subclauses(tokens: list[Token]) -> list[Token]:
     while at < len(tokens):
         first = _opened(tokens, at)
         end = _end(tokens, first) if first > at else at
-        if end > first and not _places(tokens[first:end]):
+        felt = first > at and tokens[first - 1].text in ("when", "if", "that")
+        if end > first and (felt or not _places(tokens[first:end])):
             joined = " ".join(token.text for token in tokens[at:end])
             found.append(Token(joined, tokens[at].start, tokens[end - 1].end, {"aside": "verb"}))
             at = end
@@ -75,6 +76,9 @@ def _end(tokens: list[Token], k: int) -> int:
             break
         if k > first and (tokens[k].has("neg", "while") and tokens[k].text in ("but", "and no", "but no", "with no")):
             break
+        named = k > first and (tokens[k - 1].has("noun", "people_words", "whom") or not tokens[k - 1].kinds)
+        if named and tokens[k].text in ("a", "an"):
+            break  # "in order to see stars a telescope"
         k += 1
     return k
 
