@@ -50,7 +50,27 @@ def with_parts_of_speech(tokens: list[Token]) -> list[Token]:
         >>> [e.category for e in read_request("a bedroom for a blind man with a bed. Rain can drum outside.").entities]
         ['bed']
     """
-    return [_at_place(tokens, k) for k in range(len(tokens))]
+    found: list[Token] = []
+    for k in range(len(tokens)):
+        found.append(_as_verb(tokens[k]) if _goes_on(tokens, k, found) else _at_place(tokens, k))
+    return found
+
+
+def _goes_on(tokens: list[Token], k: int, found: list[Token]) -> bool:
+    """Whether a bare noun in the singular goes on from what may be done: "nobody may box or drum"."""
+    if k < 3 or not tokens[k - 1].has("and") or "action" not in found[k - 2].kinds or tokens[k].has(*_NO_VERB, *_VERBS):
+        return False
+    bare = tokens[k].has("noun") and not tokens[k].has("plural") and _ends(tokens, k + 1)
+    return bare and tokens[k - 3].text in words("parts_of_speech")["modals"]
+
+
+def _ends(tokens: list[Token], k: int) -> bool:
+    """Whether no noun goes on at a token."""
+    return k >= len(tokens) or tokens[k].has("break", "preposition", "and", "place_adverb", "adverbs")
+
+
+def _as_verb(token: Token) -> Token:
+    return replace(token, kinds={"action": "base"})
 
 
 def _at_place(tokens: list[Token], k: int) -> Token:
@@ -108,8 +128,8 @@ def _is_relative(tokens: list[Token], k: int) -> bool:
         return False
     named = tokens[k - 2].has(*_NAMED_AGAIN) and not tokens[k - 2].has("break", "preposition")
     after = tokens[k + 1] if k + 1 < len(tokens) else None
-    follows = after is None or after.has("det", "number", "amount", "break", "and") or not after.has("verb", "modal")
-    return named and follows
+    closed = after is None or after.text == "to" or after.has("det", "number", "amount", "break", "and")
+    return named and (closed or not after.has("verb", "modal"))
 
 
 def _is_adverb(token: Token) -> bool:
@@ -124,9 +144,9 @@ def _governs(token: Token) -> bool:
 def _is_noun(tokens: list[Token], k: int) -> bool:
     """Whether a modal verb is the noun here: "a can"."""
     before = tokens[k - 1] if k else None
-    return (
-        tokens[k].has("noun") and before is not None and before.has("det", "number", "color", "material", "adjective")
-    )
+    if before is None or before.text in words("parts_of_speech")["relatives"]:
+        return False  # "a stove that can burn logs"
+    return tokens[k].has("noun") and before.has("det", "number", "color", "material", "adjective")
 
 
 def _says_what_person(tokens: list[Token], k: int) -> bool:
