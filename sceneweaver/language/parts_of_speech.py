@@ -129,7 +129,7 @@ def _is_relative(tokens: list[Token], k: int) -> bool:
     named = tokens[k - 2].has(*_NAMED_AGAIN) and not tokens[k - 2].has("break", "preposition")
     after = tokens[k + 1] if k + 1 < len(tokens) else None
     closed = after is None or after.text == "to" or after.has("det", "number", "amount", "break", "and")
-    return named and (closed or not after.has("verb", "modal"))
+    return named and (closed or (after is not None and not after.has("verb", "modal")))
 
 
 def _is_adverb(token: Token) -> bool:

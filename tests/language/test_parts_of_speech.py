@@ -19,7 +19,7 @@ def things(text: str) -> list[str]:
     ("text", "expected"),
     [
         ("a bedroom for a deaf woman and a blind dog, with a bed", ["bed"]),
-        ("A gym with a bench. He fences and she mirrors his moves.", ["bench"]),
+        ("A hall with a bench. He fences and she mirrors his moves.", ["bench"]),
         ("A stall where people queue and I ladle soup.", ["horse_stall"]),
         ("An office with two desks. Our clerk files papers.", ["desk"]),
         ("a den with a rug that anchors the room", ["rug"]),
