@@ -16,7 +16,7 @@ from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.language.coverage import function_words
 from sceneweaver.language.vocabulary import vocabulary, words
 
-SHARED = Path("/work/shared/requests/dev.jsonl")
+SHARED = Path(__file__).parents[3] / "shared" / "requests" / "dev.jsonl"
 """Requests of people that lie beside the project where there are any; they are read and never copied."""
 
 WORD = re.compile(r"[^\W\d_]+(?:['’-][^\W\d_]+)*")
