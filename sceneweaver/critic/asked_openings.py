@@ -21,6 +21,8 @@ UNDRAWN = (
     *("coloured glass", "stained glass", "painted glass", "leaded glass", "frosted glass", "frosted", "leaded"),
     *("garage", "roller", "barred", "arched", "arch", "pointed arch", "round", "pointed", "lockable", "locking"),
     *("glass panel", "internal", "stable", "barn", "folding", "revolving", "sash", "casement", "dormer"),
+    *("bifold", "bi fold", "concertina", "accordion", "saloon", "automatic", "hidden", "secret", "concealed", "pivot"),
+    *("dutch", "louvred", "louvered", "soundproof", "airtight", "self closing", "trap"),
     *words("openings")["gates"],
 )
 """Kinds that are drawn like any other: an opening that is right else is so in part."""

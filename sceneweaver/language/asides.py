@@ -27,6 +27,12 @@ _OBJECTS = (
     "this",
     "that",
     "each other",
+    "myself",
+    "ourselves",
+    "yourself",
+    "himself",
+    "herself",
+    "themselves",
 )
 _SELDOM = ("can", "will", "may", "might", "must")
 """Modal verbs that are nouns as well: a can is one after an article, a number or a word of quality."""
@@ -39,8 +45,8 @@ _NO_DEEDS = ("action", "verb", "stop", "people_words", "det", "number")
 _MOST_BARE = 4
 """Words of the name of a thing of a trade at most."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
-_SIMILES = ("like", "as in", "as if", "as though")
 _WISHES = ("person", "modal")
+_IN_SIMILES, _ARTICLES = ("in", "on", "at", "from", "inside"), ("a", "an", "old", "some", *_POSSESSIVE)
 
 
 def without_asides(tokens: list[Token]) -> list[Token]:
@@ -62,8 +68,8 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
     """The end of the aside that begins at a token, and what it is; ``at`` itself where none does."""
     if tokens[at].has("aside"):
         return at + 1, "verb"
-    if _is_simile(tokens, at):
-        return _end_of_simile(tokens, at), "verb"
+    if (opened := _opened_simile(tokens, at)) > at:
+        return _end_of_simile(tokens, opened), "verb"
     first = at + 1 if tokens[at].has("person") and not _is_noun(tokens, at) else at
     of_people = first == at and tokens[at].has("people_words", "whom") and not _is_noun(tokens, at)
     if of_people:  # "walkers need", "both groups can see"
@@ -78,7 +84,15 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
         return end, "clause"
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
         return at, ""
-    return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
+    end = _end(tokens, k + 1, first > at)
+    if (first > at or of_people) and end == k + 1 and _is_by_place(tokens[k]):
+        end = _end_of_bare(tokens, end)  # "I ladle soup"
+    return end, "clause" if first > at else "verb"
+
+
+def _is_by_place(token: Token) -> bool:
+    """Whether a token is a verb by where it stands alone (see `parts_of_speech`)."""
+    return token.kinds.keys() == {"action"}
 
 
 def _end_of_trade(tokens: list[Token], k: int) -> int:
@@ -139,7 +153,7 @@ def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people
     if form is None or (token.has("preposition") and form == "ing"):
         return False
     if of_people and not modal:
-        return form == "base" and not token.has("noun", "abstract")
+        return _is_by_place(token) or (form == "base" and not token.has("noun", "abstract"))
     if not (has_subject or modal):
         return False
     return form in ("base", "s", "ed") or modal
@@ -187,21 +201,36 @@ def _is_noun(tokens: list[Token], at: int) -> bool:
     return before is not None and not before.has("while") and (canned or before.has(*_BEFORE_NOUNS))
 
 
-def _is_simile(tokens: list[Token], at: int) -> bool:
-    """Whether "like a ship" begins there; "I'd like a ship" and "things like cups" are no similes."""
-    if tokens[at].text not in _SIMILES or at == 0:
-        return False
-    before = tokens[at - 1]
-    if before.has("break", *_WISHES) or before.text in ("something", "things", "stuff", "i'd", "we'd", "d", "would"):
-        return False
-    return at + 1 < len(tokens) and not tokens[at + 1].has("break")
+def _opened_simile(tokens: list[Token], at: int) -> int:
+    """Where what something is compared with begins ("like a ship", "reminds me of a ship"); ``at`` where nothing is.
+
+    "I'd like a ship" and "things like cups" are no similes.
+    """
+    data = words("parts_of_speech")
+    if tokens[at].text in data["reminding"]:
+        of = next((k for k in (at + 1, at + 2) if k < len(tokens) and tokens[k].text == "of"), None)
+        return of + 1 if of is not None and of + 1 < len(tokens) else at
+    end = next((at + n for n in (3, 2, 1) if " ".join(t.text for t in tokens[at : at + n]) in data["alike"]), at)
+    if end == at or end >= len(tokens) or tokens[end].has("break"):
+        return at
+    if tokens[at].text not in ("like", "as in", "as if", "as though"):
+        return end
+    before = tokens[at - 1] if at else None
+    if before is None or before.has("break", *_WISHES):
+        return at
+    return at if before.text in ("something", "things", "stuff", "i'd", "we'd", "d", "would") else end
 
 
-def _end_of_simile(tokens: list[Token], at: int) -> int:
-    k = at + 1
-    if k < len(tokens) and tokens[k].has("preposition"):
+def _end_of_simile(tokens: list[Token], k: int) -> int:
+    """The end of what something is compared with: "in a boat" is of the ship, "in the corner" of the room."""
+    first = k
+    if tokens[k].has("preposition"):
         k += 1
-    while k < len(tokens) and not tokens[k].has("break", "and", "with", "while", "preposition", "place_adverb"):
+    while k < len(tokens) and not tokens[k].has("break", "and", "with", "while", "place_adverb"):
+        if k > first and tokens[k].has("preposition"):
+            after = tokens[k + 1] if k + 1 < len(tokens) else None
+            if tokens[k].text not in _IN_SIMILES or after is None or after.text not in _ARTICLES:
+                break
         k += 1
     return k
 

@@ -193,7 +193,11 @@ def _one_of_several(scan: Scan, token: Token, after: Token) -> bool:
 def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:
     """ "For players to rest", "to illuminate the layout": what something is for; people are read."""
     verb = after.get("verb") if after is not None else None
-    if token.text == "to" and isinstance(verb, Verb) and verb.form == "base" and "active" in (frame(verb) or ()):
+    before = scan.peek(-1)
+    # "deep enough to fill tall vases" says what it is fit for
+    fit = before is not None and before.text in words("parts_of_speech")["enough"]
+    opens = isinstance(verb, Verb) and verb.form == "base" and "active" in (frame(verb) or ())
+    if token.text == "to" and isinstance(verb, Verb) and opens and not fit:
         scan.add("word", value=token)
         scan.add("verb", value=Verb(verb.lemma, "ing"))  # "open to reveal two toys"
         return True

@@ -10,12 +10,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
+from itertools import pairwise
 
 from .model import SceneGraph, Span, Unread
 from .translation import content_words, unknown_words
 from .vocabulary import NUMBERS, vocabulary, words
 
-_WORD = re.compile(r"\b[^\W\d_]\d\b|[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
+WORD = re.compile(r"\b[^\W\d_]\d\b|[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
 _NUMERAL = re.compile(r"\d+(?:\.\d+)?")
 UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 """What the units are in metres and square metres that numbers are given in."""
@@ -24,6 +25,7 @@ _PART = re.compile(r"[\s-]+")
 """What stands between the words of a compound, which a name has without hyphens: an "x-ray viewer"."""
 _STOP = re.compile(r"[.;:!?\n]")
 _JOIN = re.compile(r"[\s'’\"-]*")
+BREAK = re.compile(r"[.,;:!?()\n]")
 
 
 def silent_words(
@@ -45,13 +47,13 @@ def silent_words(
         told: numbers of several words, by where these stand.
     """
     numbers = (span for span, value in (told or {}).items() if _is_measure(graph, f"{value:g}"))
-    covered = _marked(graph, (*_spans(graph), *referred, *numbers))
+    covered = marked(graph, (*spans_read(graph), *referred, *numbers, *_refusing(graph)))
     if language != "en":
-        covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
+        covered = marked(graph, (*spans_read(graph), *(entity.span for entity in graph.entities)))
         return _silent_foreign(graph, language, covered)
-    known, named = _known_elsewhere(graph), _marked(graph, (entity.span for entity in graph.entities))
+    known, named = _known_elsewhere(graph), marked(graph, (entity.span for entity in graph.entities))
     found: list[list[int]] = []
-    for match in _WORD.finditer(graph.text):
+    for match in WORD.finditer(graph.text):
         word = match[0].lower().replace("’", "'")
         if any(covered[match.start() : match.end()]):
             continue
@@ -71,6 +73,35 @@ def silent_words(
         else:
             found.append([match.start(), match.end()])
     return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in found)
+
+
+def _refusing(graph: SceneGraph) -> Iterable[Span]:
+    """Where the words of refusing stand in the sentences that rule something out: "hate", "anywhere", "are out"."""
+    ends = [-1, *(match.start() for match in _STOP.finditer(graph.text)), len(graph.text)]
+    ruled = [one.span for one in graph.exclusions if one.span is not None]
+    for start, end in pairwise(ends):
+        here = [span for span in ruled if start < span.start < end]
+        for match in _refusals().finditer(graph.text, start + 1, end) if here else ():
+            if any(_is_beside(graph.text, match, span) for span in here):
+                yield Span(*match.span())
+
+
+def _is_beside(text: str, match: re.Match[str], span: Span) -> bool:
+    """Whether words are right before or right behind what was ruled out, but for words of grammar."""
+    a, b = (match.end(), span.start) if match.end() <= span.start else (span.end, match.start())
+    between = text[a:b] if a < b else ""
+    return not BREAK.search(between) and all(
+        word[0].lower() in function_words() or _refusals().fullmatch(word[0]) for word in WORD.finditer(between)
+    )
+
+
+@cache
+def _refusals() -> re.Pattern[str]:
+    data = words("refusals")
+    phrases = {phrase for phrase, kinds in vocabulary().items() if "neg" in kinds}
+    phrases |= {*data["refused"], *data["keep"], *data["stressed"], *data["strictly"], *data["stressing"]} - {"a"}
+    listed = "|".join(re.escape(phrase).replace(r"\ ", r"[\s-]+") for phrase in sorted(phrases, key=len, reverse=True))
+    return re.compile(rf"(?<![\w'-])(?:{listed})(?![\w'])", re.IGNORECASE)
 
 
 def _silent_foreign(graph: SceneGraph, language: str, covered: Sequence[int]) -> tuple[Unread, ...]:
@@ -95,7 +126,7 @@ def _is_idle(english: str, idle: Collection[str]) -> bool:
 
 def _says_where(text: str, covered: Sequence[int], start: int) -> bool:
     """Whether the words from a character on are, but for those of grammar, words that were read: "sits right on it"."""
-    for match in _WORD.finditer(text, start):
+    for match in WORD.finditer(text, start):
         if any(covered[match.start() : match.end()]):
             return _STOP.search(text, start, match.start()) is None
         if match[0].lower() not in function_words():
@@ -153,7 +184,7 @@ def idle_words() -> frozenset[str]:
     return function_words().difference(*(groups[name].split() for name in ("nouns_of_place", "units", "room_quality")))
 
 
-def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
+def marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
     """One for each character of the text that is in some of the spans, else zero."""
     found = bytearray(len(graph.text) + 1)
     for span in spans:
@@ -162,8 +193,8 @@ def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
     return found
 
 
-def _spans(graph: SceneGraph) -> Iterable[Span]:
-    """Where everything that was read stands, but for the noun phrases of things."""
+def spans_read(graph: SceneGraph, unread: bool = True) -> Iterable[Span]:
+    """Where everything that was read stands, but for the noun phrases of things; what is ``unread`` as well."""
     rows = (
         graph.relations,
         graph.exclusions,
@@ -175,7 +206,11 @@ def _spans(graph: SceneGraph) -> Iterable[Span]:
         graph.looks,
         graph.finishes,
     )
-    for row in (item for several in (*rows, graph.arrangements, graph.measures, graph.unread) for item in several):
+    for row in (
+        item
+        for several in (*rows, graph.arrangements, graph.measures, graph.unread if unread else ())
+        for item in several
+    ):
         if row.span is not None:
             yield row.span
     for one in graph.arrangements:
@@ -196,7 +231,7 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     said += [a.words for entity in graph.entities for a in entity.attributes]
     if graph.wing is not None:
         said += [*words("openings")["wings"], "l l-shaped shaped shape form main"]
-    spoken = frozenset(word for text in said for word in _WORD.findall(text.lower()))
+    spoken = frozenset(word for text in said for word in WORD.findall(text.lower()))
     if graph.scale != 1.0 or graph.density != "normal" or graph.only:
         spoken |= frozenset(" ".join(words("function_words").get("room_quality", "").split()).split())
     return spoken
@@ -225,4 +260,4 @@ def _is_one_of(value: float, have: Sequence[float]) -> bool:
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 
-__all__ = ["function_words", "idle_words", "silent_words"]
+__all__ = ["function_words", "idle_words", "marked", "silent_words", "spans_read"]

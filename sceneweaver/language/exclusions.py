@@ -47,8 +47,12 @@ def without_chunk(state: State, chunk: Chunk) -> None:
     if chunk.value != "nothing":
         state.negated, state.negation, state.glue = "first", str(chunk.value), "neg"
         return
-    if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
+    after = state.chunk(state.at)
+    if after is not None and after.text.split()[0] in ("else", "more"):
         state.out.only = True
+    elif after is not None and after.text == "with":  # "nothing with tassels" rules them out
+        state.at += 1
+        state.negated, state.negation, state.glue = "first", "nothing with", "neg"
     elif _somewhere_next(state):
         nothing_there(state)
 

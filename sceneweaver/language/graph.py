@@ -27,6 +27,7 @@ from .statements.resolve import entity_named, resolved
 from .stations import settle_stations
 from .told_states import LAID_FOR, state_as_told
 from .translation import UNKNOWN
+from .untold import empty_sentences, in_phrases
 from .vocabulary import words
 
 MOST = 400
@@ -134,14 +135,18 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
     silent = silent_words(graph, source.language, parsed.referred, source.slips, source.told)
     placed = {unread.words for unread in silent}
-    left = sorted(
-        (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
-        key=lambda one: one.span.start if one.span else len(text),
-    )
+    left = sorted((*(one for one in graph.unread if one.span or one.words not in placed), *silent), key=_first_at)
     if source.language != "en":  # in the words of the request
         left = list(dict.fromkeys(_own_words(one, text) for one in left))
         notes = [note.replace(UNKNOWN, "") for note in notes]
+    else:
+        left = list(in_phrases(sorted((*left, *empty_sentences(graph, left, parsed.referred)), key=_first_at), graph))
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
+
+
+def _first_at(unread: Unread) -> float:
+    """Where words stand; what has no place comes last."""
+    return unread.span.start if unread.span else float("inf")
 
 
 def _measures(

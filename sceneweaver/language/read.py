@@ -10,11 +10,14 @@ from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
+from .parts_of_speech import with_parts_of_speech
 from .predicates import with_predicates
+from .refusals import with_refusals
 from .source import Source, check_measures, check_text, read_source
 from .statements import STATEMENTS, furnish_zones
+from .subclauses import without_subclauses
 from .things import match_of
-from .tokens import tokens
+from .tokens import Token, tokens
 
 _ENGLISH = frozenset(
     ("a", "an", "the", "with", "and", "of", "on", "for", "to", "by", "at", "is", "are", "no", "its", "their", "that")
@@ -36,7 +39,7 @@ def read_request(text: str) -> SceneGraph:
     parsed = Parsed(notes=list(source.notes))
     for read in STATEMENTS:
         read(source, parsed)
-    read_clauses(chunked(without_asides(with_predicates(tokens(source, parsed.notes)))), source, parsed)
+    read_clauses(chunked(_at_their_places(tokens(source, parsed.notes))), source, parsed)
     furnish_zones(parsed)
     _sides(parsed, source)
     for note in source.notes:
@@ -54,6 +57,13 @@ def read_request(text: str) -> SceneGraph:
     if not graph.notes and not graph.unread and graph == SceneGraph(text=text):
         return graph.model_copy(update={"notes": ("nothing of the request was understood",)})
     return graph
+
+
+def _at_their_places(found: list[Token]) -> list[Token]:
+    """The tokens, each as what it is where it stands; what names nothing is told as a whole."""
+    for step in (without_subclauses, with_refusals, with_parts_of_speech, with_predicates, without_asides):
+        found = step(found)
+    return found
 
 
 def _is_foreign(text: str, parsed: Parsed) -> bool:

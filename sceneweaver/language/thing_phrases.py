@@ -109,6 +109,8 @@ def _is_alternative(state: State, phrase: NounPhrase) -> bool:
         return False  # "next to the bed or the sofa" names a sofa
     if not phrase.definite and state.last_target is None:
         before[0].also.append(name_of(phrase))
+    if not phrase.definite:
+        state.out.note(f"'{before[0].noun} or {name_of(phrase)}': the first was taken")
     state.out.referred.append(state.span_of(phrase))
     state.glue = ""
     return True

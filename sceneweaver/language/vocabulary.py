@@ -141,6 +141,7 @@ def vocabulary() -> dict[str, dict[str, Any]]:
         put(plural(phrase), "noun", name)
         put(plural(phrase), "plural", True)
     _put_people(table, put)
+    _put_refusals(put)
     _put_nothings(table, put)
     return table
 
@@ -170,6 +171,13 @@ def _put_people(table: dict[str, dict[str, Any]], put: Put) -> None:
             s, ed, ing = people["irregular"].get(verb) or _regular(verb)
             for form, word in (("base", verb), ("s", s), ("ed", ed), ("ing", ing)):
                 put(f"{word} {rest}".strip(), kind, form)
+
+
+def _put_refusals(put: Put) -> None:
+    """Verbs of refusing, with who does it, are words of negation."""
+    refusals = words("refusals")
+    for phrase in (*refusals["alone"], *(f"{who} {verb}" for who in refusals["who"] for verb in refusals["verbs"])):
+        put(phrase, "neg", phrase)
 
 
 def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
