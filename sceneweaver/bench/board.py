@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -23,6 +24,10 @@ from .tables import rows_in_markdown
 
 BEGIN, END = "<!-- leaderboard: written by a command -->", "<!-- end -->"
 POINTS = 40
+
+LINE = 120
+"""Characters of a line of the page."""
+
 STYLES = ("-", "--", ":")
 
 
@@ -147,11 +152,12 @@ def board_markdown(data: Mapping[str, Any]) -> str:
     """
     machine, settings = data["machine"], data["settings"]
     clock = "processor time" if settings["clock"] == "cpu" else "wall time"
-    parts = [
+    first = (
         f"Version {data['version']} ({data['hash'][:12]}); {machine['system']}, {machine['cores']} cores, "
         f"{' '.join([settings['device'], machine.get('device') or '']).strip()}; budgets in {clock}, "
         f"{settings['candidates']} candidates."
-    ]
+    )
+    parts = [textwrap.fill(first, LINE, break_on_hyphens=False)]
     for budget in data["budgets"]:
         tiers = [tier for tier in layout_bench.TIERS if any(tier in row["tiers"] for row in budget["places"])]
         head = ["method", "quality", "95 %", *(f"within {s:.0%}" for s in SOLVED), "valid", *tiers, "failed", "killed"]

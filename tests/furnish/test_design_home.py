@@ -16,6 +16,7 @@ from sceneweaver.furnish.asked import Asked
 from sceneweaver.furnish.folder import HomeFolder, room_folder
 from sceneweaver.furnish.home import FurnishedHome, room_jobs
 from sceneweaver.furnish.jobs import FurnishedRoom, RoomJob
+from sceneweaver.furnish.result import unmet_of
 from sceneweaver.plans import Programme
 
 TINY = Programme.from_graph(
@@ -203,6 +204,7 @@ def test_what_is_a_home() -> None:
 
 def test_what_was_asked_for_is_measured_in_the_finished_home() -> None:
     asked = Asked.of("a flat with three bedrooms and two bathrooms", None, None, None)
-    said = asked.unmet(sw.Home.example("flat"))
+    said = unmet_of(asked.demands(sw.Home.example("flat")))
     assert any("bath" in line and ("not met" in line or "partly" in line) for line in said)
-    assert Asked.of("a flat with two bedrooms", None, None, None).unmet(sw.Home.example("flat")) == []
+    two = Asked.of("a flat with two bedrooms", None, None, None)
+    assert unmet_of(two.demands(sw.Home.example("flat"))) == []
