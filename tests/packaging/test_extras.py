@@ -75,7 +75,7 @@ from mcp import Client, StdioServerParameters
 async def main():
     command = str(Path(sys.executable).with_name("sceneweaver"))
     async with Client(StdioServerParameters(command=command, args=["mcp"])) as client:
-        print("tools:", len((await client.list_tools()).tools))
+        print("tools:", *(tool.name for tool in (await client.list_tools()).tools))
 asyncio.run(main())
 """
 PRIOR = """
@@ -115,7 +115,7 @@ USES: dict[str, list[tuple[str | list[str], str]]] = {
     "hub": [(CARD, "--repo: a/b")],  # as far as the server, which is not there
     "ray": [([*MAKE, "-o", "by_ray", "--engine", "ray"], "")],
     "llm": [(LLM, "answer: steps=0")],
-    "mcp": [(MCP, "tools: 22")],
+    "mcp": [(MCP, "design_home")],
     "prior": [(PRIOR, "steps: 25")],
     "dxf": [(DXF, "rooms: 2")],
 }
