@@ -146,6 +146,7 @@ def test_a_killed_one_leaves_the_last_scene_and_says_that_it_did_not_end(tmp_pat
     assert "killed" in json.loads((tmp_path / "metrics.json").read_text("utf-8"))["cut_off"]
 
 
+@pytest.mark.slow  # in this process, below, one is heard and the next is as before
 def test_signals_after_the_first_end_it_at_once(tmp_path):
     process = begin(tmp_path, time_limit="300", candidates="8")
     wait_for(tmp_path / "metrics.json", process)
