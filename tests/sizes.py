@@ -27,6 +27,14 @@ def often(names: Iterable[str], usual: Iterable[str]) -> list[Any]:
     return found
 
 
+def share(cases: Iterable[Any], one_in: int) -> list[Any]:
+    """Parameters of which each but the first of every ``one_in`` is a long test; a tuple has several values."""
+    return [
+        pytest.param(*(case if isinstance(case, tuple) else (case,)), marks=[pytest.mark.slow] if k % one_in else [])
+        for k, case in enumerate(cases)
+    ]
+
+
 def examples(usual: int, whole: int, **more: Any) -> settings:
     """So many examples that hypothesis draws; each may take long."""
     many = settings.get_current_profile_name() == WHOLE

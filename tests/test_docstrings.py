@@ -50,9 +50,10 @@ def test_every_public_name_has_a_docstring_with_an_example(name):
     assert "+SKIP" not in text
 
 
-LONG = ("sceneweaver.jax.", "sceneweaver.bench.plot")
+LONG = ("sceneweaver.jax.", "sceneweaver.bench.plot", "sceneweaver.design_home")
 QUICK = [name for name in PUBLIC if name == "sceneweaver.jax.ravel" or not name.startswith(LONG)]
-"""All but those that mostly wait for the compiler of JAX or for drawings of matplotlib."""
+"""All but those that mostly wait for the compiler of JAX or for drawings of matplotlib, and the design of a whole home,
+which ``furnish/test_design_home.py`` does with a smaller one."""
 
 
 @pytest.mark.parametrize("name", often(PUBLIC, QUICK))

@@ -1,4 +1,7 @@
-"""The documentation site builds without a warning, holds every page and public name, and fetches nothing."""
+"""The documentation site builds without a warning, holds every page and public name, and fetches nothing.
+
+It takes a quarter of a minute: `make bench` does it. `make test` builds the pages alone (``test_pages.py``).
+"""
 
 from __future__ import annotations
 
@@ -20,6 +23,8 @@ from tests.report.browser import BINARY, Browser
 from tests.sizes import sizes
 from tests.test_docstrings import MODULES, PUBLIC, public
 from tests.test_repository import ROOT
+
+pytestmark = pytest.mark.slow
 
 FETCHED = re.compile(r"<(?:script|link|img|iframe)\b[^>]*?\b(?:src|href)=\"?(https?:)?//[^\s\">]+", re.IGNORECASE)
 

@@ -108,7 +108,7 @@ def design_home(
 
     Examples:
         >>> import sceneweaver as sw
-        >>> text = "a studio flat"
+        >>> text = "a studio flat of 30 m2"
         >>> result = sw.design_home(text, seed=1, plans=64, steps=1, candidates=8, workers=1, device="cpu")
         >>> result.plan_report.valid, all(room.scene is not None for room in result.rooms.values())
         (True, True)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
-import sys
 
 import pytest
 
@@ -13,6 +11,7 @@ from sceneweaver.agent import Settings
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.memory import Memory, Step
 from sceneweaver.agent.roles import Roles
+from sceneweaver.cli import main
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene
@@ -111,16 +110,12 @@ def test_a_state_that_is_a_pipe(kept):
         folder.resume(BRIEF, Settings())
 
 
-def test_the_command_says_it_in_one_line_with_code_2(kept):
+def test_the_command_says_it_in_one_line_with_code_2(kept, capfd):
     folder, data, write = kept
     write({**data, "memory": {"steps": 3}})
-    done = subprocess.run(
-        [sys.executable, "-m", "sceneweaver", "design", "a room", "--out", str(folder.path)],
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "memory.steps" in done.stderr
+    assert main(["design", "a room", "--out", str(folder.path)]) == 2
+    said = capfd.readouterr().err
+    assert said.count("\n") == 1 and "memory.steps" in said
 
 
 def test_two_runs_do_not_share_a_folder_and_leftovers_go(kept):

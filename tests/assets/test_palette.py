@@ -7,6 +7,7 @@ import pytest
 from sceneweaver.assets import Library, Wish
 from sceneweaver.assets.materials import color_name, color_named, finishes, hue
 from sceneweaver.scene import InputError, Palette
+from tests.sizes import share
 
 PALETTE = Palette(
     name="test",
@@ -36,7 +37,7 @@ def drawn(category: str, **wish: object):
     return Library().choose(category, 1, Wish(style="modern", palette=PALETTE.code, **wish))[0]  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("category", FURNITURE + SMALL)
+@pytest.mark.parametrize("category", share(FURNITURE + SMALL, 2))
 def test_everything_follows_the_palette(category):
     hues = {hue(color_named(c)) for c in PALETTE.textiles} | {None}
     woods = {name for name, f in finishes().items() if f.family == "wood"}

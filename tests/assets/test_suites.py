@@ -6,6 +6,7 @@ import pytest
 
 from sceneweaver.assets import Library, Wish
 from sceneweaver.assets.body import Material
+from tests.sizes import share
 
 UNITS = ("kitchen_cabinet", "kitchen_counter", "corner_cabinet", "sink_cabinet", "wall_cabinet")
 TOPPED = ("kitchen_cabinet", "kitchen_counter", "corner_cabinet", "sink_cabinet", "dishwasher")
@@ -17,7 +18,7 @@ def finishes_of(category: str, suite: int | None, seed: int, style: str) -> froz
     return frozenset(Library().choose(category, 1, wish)[0].mesh.materials)
 
 
-@pytest.mark.parametrize("suite", range(5))
+@pytest.mark.parametrize("suite", share(range(5), 3))
 @pytest.mark.parametrize("style", ["modern", "rustic"])
 @pytest.mark.parametrize("group", [UNITS, TOPPED, APPLIANCES])
 def test_pieces_of_a_suite_share_their_finish(group, style, suite):

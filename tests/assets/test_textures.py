@@ -16,6 +16,7 @@ from sceneweaver.assets.textures.patterns.two_colors import PRINTS, SHARES, mean
 from sceneweaver.assets.textures.relief import developed, to_linear
 from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.scene import InputError, Room
+from tests.sizes import share
 
 
 @pytest.fixture
@@ -30,7 +31,9 @@ def folder(tmp_path, monkeypatch):
     library._of_folder.cache_clear()
 
 
-@pytest.mark.parametrize("name", [*patterns(), *(name_of(kind, (0.8, 0.6, 0.4), (0.1, 0.1, 0.1)) for kind in PRINTS)])
+@pytest.mark.parametrize(
+    "name", share([*patterns(), *(name_of(kind, (0.8, 0.6, 0.4), (0.1, 0.1, 0.1)) for kind in PRINTS)], 3)
+)
 def test_patterns_repeat_without_a_seam_and_keep_the_colour(name):
     """Drawn small: over the border neighbours differ no more than inside; tint times gain has the mean 1."""
     pattern = found(name)

@@ -126,10 +126,10 @@ def test_formats_that_there_is_no_time_for_are_named(run, bedroom, tmp_path, mon
 
 def test_a_file_with_too_much_in_it_is_refused_by_all_in_one_line(run, bedroom, tmp_path):
     data = json.loads(bedroom.read_text())
-    data["objects"] = [{**data["objects"][0], "id": f"o{k}"} for k in range(5000)]
+    data["objects"] = [{**data["objects"][0], "id": f"o{k}"} for k in range(2001)]
     data["relations"] = []
     bedroom.write_text(json.dumps(data))
     out = ["-o", tmp_path / "out"]
     commands = (["refine", *out], ["repair", *out], ["check"], ["render", "-o", tmp_path / "a.png"], ["export", *out])
     said = {run(name, bedroom, *more).err for name, *more in commands}
-    assert said == {f"sceneweaver: {bedroom}: objects has 5000 entries; give at most 2000\n"}
+    assert said == {f"sceneweaver: {bedroom}: objects has 2001 entries; give at most 2000\n"}

@@ -111,7 +111,9 @@ def test_a_crash_of_native_code_says_where_also_while_libraries_are_kept_quiet(t
     assert ended.returncode == -signal.SIGSEGV and "in crash" in ended.stderr
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(
+    ("number", "code"), [pytest.param(signal.SIGINT, 130, marks=pytest.mark.slow), (signal.SIGTERM, 143)]
+)
 def test_signals_leave_nothing_behind(tmp_path, number, code):
     program = (
         "import sys, time, types\n"

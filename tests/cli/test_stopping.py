@@ -97,7 +97,7 @@ def as_it_says(out: Path, code: int, said: dict) -> None:
 
 
 def test_a_signal_ends_it_with_what_there_is(tmp_path):
-    process = begin(tmp_path, time_limit="300", export="all")
+    process = begin(tmp_path, time_limit="300", export="all", candidates="8")
     wait_for(tmp_path / "steps/01/scene.json", process)
     code, said = signalled(process, signal.SIGTERM)
     as_it_says(tmp_path, code, said)
@@ -131,7 +131,7 @@ def test_what_a_signal_ended_goes_on(tmp_path):
 
 
 def test_a_killed_one_leaves_the_last_scene_and_says_that_it_did_not_end(tmp_path):
-    process = begin(tmp_path, time_limit="300")
+    process = begin(tmp_path, time_limit="300", candidates="8")
     wait_for(tmp_path / "metrics.json", process)
     seen = 0
     until = time.monotonic() + WAIT
@@ -146,8 +146,9 @@ def test_a_killed_one_leaves_the_last_scene_and_says_that_it_did_not_end(tmp_pat
     assert "killed" in json.loads((tmp_path / "metrics.json").read_text("utf-8"))["cut_off"]
 
 
+@pytest.mark.slow  # in this process, below, one is heard and the next is as before
 def test_signals_after_the_first_end_it_at_once(tmp_path):
-    process = begin(tmp_path, time_limit="300")
+    process = begin(tmp_path, time_limit="300", candidates="8")
     wait_for(tmp_path / "metrics.json", process)
     until = time.monotonic() + LOADED
     while process.poll() is None and time.monotonic() < until:  # two that come close together may be heard as one

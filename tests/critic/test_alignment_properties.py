@@ -164,7 +164,7 @@ def designed(name: str) -> dict[str, Any]:
     return json.loads((LIBRARY / f"{name}.json").read_text())
 
 
-@pytest.mark.parametrize("name", often((*ROOMS, *DESIGNED), (*ROOMS, DESIGNED[0])))
+@pytest.mark.parametrize("name", often((*ROOMS, *DESIGNED), (*ROOMS[:2], DESIGNED[0])))
 def test_what_the_judge_accepts_people_accept(name: str) -> None:
     data = designed(name) if name in DESIGNED else zoo(name)
     ids = [o["id"] for o in data["objects"]]

@@ -29,6 +29,7 @@ from sceneweaver.datasets.seals import (
 from sceneweaver.io import InputError
 from sceneweaver.io.tars import header
 from tests.datasets import tamper, torture
+from tests.sizes import share
 
 COUNT = 12
 
@@ -81,7 +82,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("stage", "kind", "way"), CASES, ids=lambda value: value.replace("/", "-"))
+@pytest.mark.parametrize(("stage", "kind", "way"), share(CASES, 2), ids=lambda value: value.replace("/", "-"))
 def test_damage_is_noticed_and_made_anew_to_the_same_bytes(stages, expected, stage, kind, way):
     found = attempt(stages, expected, stage, kind, way)
     assert found.noticed and found.equal, found.detail

@@ -11,6 +11,7 @@ from sceneweaver.evaluation import moving, openings, standing
 from sceneweaver.scene import Pose, Scene
 from sceneweaver.verify import check
 from sceneweaver.verify.solids import Placed
+from tests.sizes import often
 
 
 def shaken(name: str, seed: int, far: float) -> Scene:
@@ -78,6 +79,7 @@ def test_support_tells_what_floats():
         assert twin.supported(one, twin.things_of(one))["bed"] is expected
 
 
+@pytest.mark.parametrize("scene", often(SCENES, ["as made", "farther"]), indirect=True)
 def test_navigability(scene):
     """A passage as wide as the base is open in one picture and closed in another: cells are 5 cm, pixels 2 cm."""
     things, widths = twin.things_of(scene), (moving.BASE - 0.05, moving.BASE, moving.BASE + 0.05)

@@ -17,6 +17,7 @@ from sceneweaver.explain.search import Search
 from sceneweaver.explain.study import Study
 from sceneweaver.layout import refine
 from sceneweaver.scene import Relation, Scene
+from tests.sizes import share
 
 ZOO = Path(__file__).parents[1] / "zoo"
 DOOR = {"id": "door-0", "wall": 0, "offset": 0.2, "width": 0.9, "height": 2.0}
@@ -228,7 +229,7 @@ CONFLICTS = {
 }
 
 
-@pytest.mark.parametrize("case", CONFLICTS)
+@pytest.mark.parametrize("case", share(CONFLICTS, 2))
 def test_two_relations_that_exclude_each_other(case: str):
     name, relations = CONFLICTS[case]
     text = why(with_relations(name, *relations)).splitlines()[0]
@@ -355,7 +356,7 @@ def test_a_scene_that_was_only_unlucky(name: str):
     assert "A short search found a valid layout" in explain(scene, unlucky, device="cpu", seed=0)
 
 
-@pytest.mark.parametrize("name", sorted(p.stem for p in ZOO.glob("*.json") if "300" not in p.stem))
+@pytest.mark.parametrize("name", share(sorted(p.stem for p in ZOO.glob("*.json") if "300" not in p.stem), 2))
 def test_arithmetic_accuses_no_solvable_scene(name: str):
     scene = Scene.load(ZOO / f"{name}.json")
     solution = refine(scene, candidates=1, steps=1, device="cpu")

@@ -12,7 +12,7 @@ import pytest
 import sceneweaver as sw
 import sceneweaver.jax as swj
 from tests.layout.made import BOX, CUP, scene, table
-from tests.layout.research import DEVICE, check_differences, poses_of, problem_of, rooms
+from tests.layout.research import DEVICE, FEW, check_differences, poses_of, problem_of, rooms
 
 
 @pytest.mark.parametrize("name", rooms(pytest.mark.slow))
@@ -27,7 +27,7 @@ def test_gradients_are_the_engines(name):
     np.testing.assert_allclose(total, gradient, rtol=1e-5, atol=1e-5)
 
 
-@pytest.mark.parametrize("name", rooms(pytest.mark.slow))
+@pytest.mark.parametrize("name", rooms(pytest.mark.slow, FEW[1:]))
 def test_gradients_are_finite_differences(name):
     problem, layout = problem_of(name), poses_of(name, 1, seed=3)[0]
     slope = np.asarray(jax.jit(jax.grad(lambda x: swj.energy(problem, x)))(layout))
@@ -55,7 +55,7 @@ def test_vmap_over_problems():
     assert not gradient[:4, 11:].any()
 
 
-@pytest.mark.parametrize("name", rooms(pytest.mark.slow))
+@pytest.mark.parametrize("name", rooms(pytest.mark.slow, FEW[:1]))
 def test_the_jacobian_of_the_residuals(name):
     problem, layout = problem_of(name), poses_of(name, 1)[0]
     if problem.items * layout.size > 100_000:

@@ -18,7 +18,7 @@ from sceneweaver.layout.quality import KINDS, QualityTerm
 from sceneweaver.layout.rate import STEP, measures
 from sceneweaver.scene import Scene
 from tests.kernels.harness import ZOO
-from tests.sizes import sizes
+from tests.sizes import often, sizes
 
 ROOMS = ("bedroom-small", "living-dining-L", "office-20")
 FAR = 1e5
@@ -324,7 +324,7 @@ def _close(kind: str, got: np.ndarray, expected: np.ndarray) -> None:
 
 
 @sizes("count", 6, 24)
-@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("room", often(ROOMS, ROOMS[:2]))
 @pytest.mark.parametrize("kind", KINDS)
 def test_measures_are_those_of_the_twin(kind, room, count):
     scene = Scene.load(ZOO / f"{room}.json")

@@ -15,7 +15,7 @@ from tests.kernels.harness import LARGE, ROOMS, USUAL, as_float32, noisy, scatte
 from tests.kernels.judged import compare, engine
 from tests.kernels.made import PARAMS, gallery, mixed_around, related
 from tests.kernels.transform import layout_of, move
-from tests.sizes import often, sizes
+from tests.sizes import often, share, sizes
 from tests.verify.build import box, relation, scene
 
 FAR = (83.0, -61.0)  # [m] a room of 100 m has corners like this
@@ -117,7 +117,7 @@ def test_relation_at_solutions_and_around_them(device, kind, count):
 
 
 @sizes("count", 4, 16)
-@pytest.mark.parametrize("kind", sorted(BUILT_IN - {"on_top", "inside", "on_floor"}))
+@pytest.mark.parametrize("kind", share(sorted(BUILT_IN - {"on_top", "inside", "on_floor"}), 2))
 def test_relation_at_the_edge(device, kind, count):
     """The subject is pushed until the engine finds the relation false; just before that, the judge finds it true."""
     rng = np.random.default_rng(34)

@@ -83,7 +83,7 @@ def test_a_phrase_said_again_and_again_is_read() -> None:
 
 
 def test_texts_at_random_are_read() -> None:
-    assert read_all(islice(OddTexts(1), 250)).faults == []
+    assert read_all(islice(OddTexts(1), 150)).faults == []
 
 
 def test_made_requests_are_read() -> None:

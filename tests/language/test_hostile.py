@@ -16,7 +16,7 @@ from sceneweaver.language.source import LONGEST, MOST
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene import InputError
 from tests.language.graphs import PLACES, consistent
-from tests.sizes import examples, sizes
+from tests.sizes import examples, often, sizes
 
 HOSTILE = {
     "punctuation": "?!.,;:()[]{}<>/\\|~`'\"",
@@ -91,10 +91,10 @@ def test_a_book_is_an_error_of_one_line() -> None:
         read_request("x" * (MOST + 1))
 
 
-@pytest.mark.parametrize(
-    "unit",
-    ["ceiling of ", "red ", "law books hang ", "bed "],
-)
+GREW = ["ceiling of ", "red ", "law books hang ", "bed "]
+
+
+@pytest.mark.parametrize("unit", often(GREW, GREW[:2]))
 def test_a_long_request_is_read_in_time_that_grows_with_it(unit: str) -> None:
     """Each raised RecursionError once, or took seconds: its time grew with the square of its length."""
 
@@ -124,7 +124,10 @@ def test_hostile_text_is_read_and_said_so(text: str) -> None:
     assert graph.notes or graph.unread
 
 
-@pytest.mark.parametrize("unit", ["a bed with ", "next to ", "no ", "x", "é", "x-", "🙂", "9", ",", "\ufdfa"])
+ENDLESS = ["a bed with ", "next to ", "no ", "x", "é", "x-", "🙂", "9", ",", "\ufdfa"]
+
+
+@pytest.mark.parametrize("unit", often(ENDLESS, ["a bed with ", "x", "9", ","]))  # words, a word, a number, no word
 def test_a_hundred_kilobytes(unit: str, seconds_of_beds: float) -> None:
     began = time.process_time()
     graph = read_request(unit * (100_000 // len(unit)))
@@ -205,7 +208,7 @@ def test_what_once_failed_is_read(text: str) -> None:
     consistent(read_request(text))
 
 
-@sizes("step", 4, 1)
+@sizes("step", 12, 1)
 @pytest.mark.parametrize("place", sorted(PLACES))
 def test_every_word_of_place_means_a_relation_at_every_part_of_a_room(place: str, step: int) -> None:
     """ "A curtain covers the window" was an error."""
@@ -222,14 +225,15 @@ def test_numbers_of_all_kinds_are_read(number: str) -> None:
     read_request(f"{number} chairs and a table {number} m wide, {number}")
 
 
-def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
+@sizes("texts", 150, 400)
+def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything(texts: int) -> None:
     kinds: dict[str, list[str]] = {}
     for phrase, meant in vocabulary().items():
         for kind in meant:
             kinds.setdefault(kind, []).append(phrase)
     names, rng = sorted(kinds), random.Random(7)
     glue = ", . : ( ) and or of is are with no each two one it them another the other its door a beside".split()  # noqa: SIM905
-    for _ in range(400):
+    for _ in range(texts):
         length = rng.randint(2, 14)
         text = " ".join(
             rng.choice(glue) if rng.random() < 0.4 else rng.choice(kinds[rng.choice(names)]) for _ in range(length)

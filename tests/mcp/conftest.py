@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -45,8 +46,11 @@ def stdio_site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
 def http_site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
     """A server over streamable HTTP."""
     folder = tmp_path_factory.mktemp("http")
-    with http_server(folder) as (address, _), connected(address) as driver:
-        yield _site(driver, folder, address)
+    with http_server(folder) as (address, process):
+        with connected(address) as driver:
+            yield _site(driver, folder, address)
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(30) == 0
 
 
 @pytest.fixture(scope="module", params=["stdio", "http"])

@@ -22,6 +22,7 @@ from tests.mcp.driving import (
 )
 
 
+@pytest.mark.slow  # the server of test_transports.py ends so as well
 def test_sigterm_ends_a_server_of_http(tmp_path):
     with http_server(tmp_path) as (_, process):
         process.send_signal(signal.SIGTERM)

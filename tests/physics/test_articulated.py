@@ -12,6 +12,7 @@ from sceneweaver.assets import Asset, make
 from sceneweaver.export.mjcf import write_mjcf
 from sceneweaver.physics import build
 from sceneweaver.scene import Door, Pose, Room, Scene, SceneObject, Support
+from tests.sizes import share
 
 mujoco: Any = import_module("mujoco")
 
@@ -142,7 +143,7 @@ def _sweep(asset: Asset, steps: int = 12) -> dict[str, float]:
     return found
 
 
-@pytest.mark.parametrize("category", ARTICULATED)
+@pytest.mark.parametrize("category", share(ARTICULATED, 3))
 def test_nothing_is_in_the_way(category: str) -> None:
     asset = make(category, seed=0)
     assert asset.links

@@ -12,6 +12,7 @@ from sceneweaver.kernels.plan_verdict import judge_cells
 from sceneweaver.plans import Profile, Programme, check_plan, envelope_for, solve_plans
 from sceneweaver.plans.solve_problem import compile_plan, slope_of
 from sceneweaver.plans.solve_run import new_state
+from tests.sizes import share
 
 ROWS = {
     "flat-2-bedrooms": (
@@ -51,7 +52,7 @@ def energies(solution, profile: Profile) -> np.ndarray:
     return state.energy.numpy().astype(float)
 
 
-@pytest.mark.parametrize(("name", "rule"), [(name, rule) for name, rules in ROWS.items() for rule in rules])
+@pytest.mark.parametrize(("name", "rule"), share(((name, rule) for name, rules in ROWS.items() for rule in rules), 2))
 def test_the_energy_of_a_row_is_its_excess(name: str, rule: str):
     solution = solved(name)
     row = BASE.rule(rule)

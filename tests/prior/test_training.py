@@ -9,9 +9,9 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.prior import training
-from sceneweaver.prior.network import Shape
+from sceneweaver.prior.network import Shape, first_weights
 from sceneweaver.prior.tokens import TRAINED, padded, tokens_of
-from sceneweaver.prior.training import Recipe, State, _batch, _on_device, split_rooms, train, trained_names
+from sceneweaver.prior.training import Recipe, State, _batch, _loss, _on_device, split_rooms, train, trained_names
 from tests.prior.conftest import WORDS
 
 SIDES = (WORDS.relation("left_of"), WORDS.relation("right_of"))
@@ -81,6 +81,44 @@ def exact(data, steps, ends):
     assert counts and set(counts) == {steps}
 
 
+def test_chunks_are_as_many_steps_as_are_told(data, monkeypatch):
+    """With a chunk that only counts its keys: to compile one that learns takes long."""
+    import jax
+
+    def counted(_chunk, **_options):
+        def run(weights, average, moments, _step, _rate, keys, *_data):
+            one_more = jax.tree.map(lambda m: m + len(keys) * (m.shape == () and m.dtype.kind == "i"), moments)
+            return weights, average, one_more, 0.0
+
+        return run
+
+    monkeypatch.setattr(jax, "jit", counted)
+    exact(data, 2, [2])
+    monkeypatch.setattr(training, "CHUNK", 3)
+    exact(data, 5, [3, 5])
+    exact(data, 3, [3])
+
+
+def test_the_loss_can_be_lowered(data):
+    import jax
+    import jax.numpy as jnp
+
+    kept, poses = _on_device(data, jnp)
+    keys = jax.random.split(jax.random.key(2))
+
+    def loss(weights):
+        batch = _batch(keys[0], kept, poses, 2, replace(RECIPE, rooms=2, layouts=1), jax)
+        return _loss(weights, *batch, keys[1], shape=SHAPE, low=None, jax=jax)
+
+    weights = {k: jnp.asarray(v) for k, v in first_weights(SHAPE, 3).items()}
+    fast = {"xla_backend_optimization_level": 0}  # to compile; it runs twice
+    run = jax.jit(jax.value_and_grad(loss)).lower(weights).compile(fast)
+    value, slope = run(weights)
+    lower, _ = run({k: w - 1e-2 * slope[k] for k, w in weights.items()})
+    assert 0.0 < lower < value
+
+
+@pytest.mark.slow
 def test_fewer_steps_than_a_chunk_has_are_just_so_many(data):
     exact(data, 2, [2])
 

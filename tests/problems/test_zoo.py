@@ -14,6 +14,7 @@ from sceneweaver import problems
 from sceneweaver.problems import store
 from sceneweaver.scene import InputError
 from tests.oracle.check_scene import check as oracle
+from tests.sizes import often
 
 LARGE = 150  # objects
 KNOWN = {  # relations that the independent checker defines
@@ -27,7 +28,12 @@ def each(wanted: tuple[str, ...]) -> list:
     return [pytest.param(name, marks=[pytest.mark.slow] if sizes[name] >= LARGE else []) for name in wanted]
 
 
-@pytest.mark.parametrize("name", each(problems.names()))
+def third(wanted: tuple[str, ...]) -> list:
+    """One in three of those that are not large, of every family."""
+    return often(wanted, [param.values[0] for param in each(wanted) if not param.marks][::3])
+
+
+@pytest.mark.parametrize("name", third(problems.names()))
 def test_a_problem_verifies(name):
     problems.verify(problems.load(name))
 

@@ -140,7 +140,7 @@ def test_a_notebook_shows_it_in_one_place(cache, module, monkeypatch, caplog):
     assert not [record for record in caplog.records if record.levelno >= logging.WARNING]
 
 
-@pytest.mark.parametrize("trouble", ["full", "read-only", "gone"])
+@pytest.mark.parametrize("trouble", [pytest.param("full", marks=pytest.mark.slow), "read-only", "gone"])
 def test_a_cache_that_cannot_be_written_moves_and_keeps_what_it_had(trouble, cache, module, monkeypatch, caplog):
     first, second = module(1), module(2)
     load("cpu", [first])

@@ -10,7 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.knowledge.surfaces import crowd_of, crowds
 from sceneweaver.scene import InputError, Pose, Relation
 from sceneweaver.tools.add_crowd import AddCrowd
-from tests.sizes import sizes
+from tests.sizes import share, sizes
 
 from .surface_rooms import after, answer, carrier, faults, room, standing
 
@@ -31,7 +31,7 @@ def test_every_shelf_stands(step: int) -> None:
         assert len(done.objects) > 1 or proposal.unmet, obj.category
 
 
-@pytest.mark.parametrize("theme", sorted(crowds()))
+@pytest.mark.parametrize("theme", share(sorted(crowds()), 3))
 def test_every_theme_on_a_wide_shelf(theme: str) -> None:
     scene = room([standing("metal_shelf")])
     done = after(scene, answer(TOOL, scene, {"supports": ["metal_shelf-0"], "theme": theme, "density": 0.9}))

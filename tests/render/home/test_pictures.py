@@ -45,9 +45,13 @@ def test_views_are_named_in_the_order_of_a_report() -> None:
     assert set(report_parts(house())["shows"]) == {name for name in views if name.startswith("walk")}
 
 
+@pytest.fixture(scope="module")
+def walk() -> Walk:
+    return Walk(flat())
+
+
 @pytest.mark.parametrize("number", range(len(walk_order(Home.example("flat")))))
-def test_a_walk_looks_from_the_room_or_its_door(number: int) -> None:
-    walk = Walk(flat())
+def test_a_walk_looks_from_the_room_or_its_door(walk: Walk, number: int) -> None:
     stop, camera = walk.stops[number], walk.camera(number)
     room = shapely.Polygon(flat().room(stop.room).outline)
     assert room.buffer(0.5).contains(shapely.Point(camera.eye[:2]))
