@@ -16,7 +16,6 @@ from .batch import make_batch, stacked
 from .compile import CompiledScene, LayoutProblem
 from .engine import solve
 from .job import Job
-from .pack import MARGINS
 from .pools import surface_pools
 from .surfaces import surfaces_hold
 
@@ -56,10 +55,7 @@ def first_layouts(
         world = np.broadcast_to(scene.room.home, (len(candidates), *scene.room.home.shape))
         jobs.append(Job(scene, world, "sample", seed, walk=False, first=candidates.start))
     found = solve(jobs, "search", attempts, device, Monitor(len(candidates) * len(jobs)), time.monotonic())
-    return [
-        _inside(scene, Drawn(*(a[s.status == 0] for a in (s.bodies, s.energy, s.relations))))
-        for scene, s in zip(scenes, found, strict=True)
-    ]
+    return [Drawn(*(a[s.status == 0] for a in (s.bodies, s.energy, s.relations))) for s in found]
 
 
 def joined(first: Drawn, second: Drawn) -> Drawn:
@@ -72,34 +68,6 @@ def _eased(problem: LayoutProblem) -> LayoutProblem:
     """A problem whose soft relations weigh less."""
     lighter = [rel if rel.fault else replace(rel, weight=SOFT * rel.weight) for rel in problem.relations]
     return replace(problem, relations=lighter)
-
-
-def _inside(scene: CompiledScene, drawn: Drawn) -> Drawn:
-    """Those layouts in which rugs are inside of the room.
-
-    They are so thin that to the engine nothing meets them, so that of a room that is not convex they keep to the hull.
-    """
-    room = scene.room
-    thin = [i for i in range(room.size) if room.sizes[i, 2] <= MARGINS["least_overlap_z"]]
-    if not thin or not room.region.solids or not len(drawn.poses):
-        return drawn
-    import shapely
-
-    walls = shapely.Polygon(scene.scene.room.outline).buffer(-MARGINS["bounds_hold"], join_style="mitre")
-    shapely.prepare(walls)
-    good = np.ones(len(drawn.poses), dtype=bool)
-    for i in thin:
-        for plan in room.footprints[i]:
-            rings = _placed(plan[None], drawn.poses[:, i, None].astype(np.float64))
-            good &= shapely.covers(walls, shapely.polygons(rings))
-    return Drawn(*(array[good] for array in drawn.arrays))
-
-
-def _placed(points: np.ndarray, pose: np.ndarray) -> np.ndarray:
-    """Points [..., 2] in the frames of poses [..., 4], in the room."""
-    c, s = np.cos(pose[..., 3]), np.sin(pose[..., 3])
-    x, y = points[..., 0], points[..., 1]
-    return np.stack([pose[..., 0] + c * x - s * y, pose[..., 1] + s * x + c * y], axis=-1)
 
 
 class Sampler:
@@ -158,8 +126,7 @@ class Sampler:
         holds = rows[:, :relations].copy()
         for rider, relation in room.riders.items():
             holds[:, relation] &= rows[:, rider]
-        found = Drawn(step.poses[mine][fresh][:, : room.size], step.energy[mine][fresh], holds)
-        return _inside(self.scenes[which], found)
+        return Drawn(step.poses[mine][fresh][:, : room.size], step.energy[mine][fresh], holds)
 
     def _rows(self, which: int) -> slice:
         return slice(which * self.chains, (which + 1) * self.chains)

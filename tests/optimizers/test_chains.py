@@ -88,7 +88,7 @@ def test_a_step_that_fails_leaves_a_valid_layout(monkeypatch):
 
 
 def test_rugs_stay_inside_of_a_room_that_is_not_convex():
-    """They are thinner than what the engine takes for a contact."""
+    """They are thinner than what the engine takes for a contact; what is outside is so at all heights."""
     from sceneweaver.assets import make
 
     outline = ((0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4))
@@ -96,7 +96,7 @@ def test_rugs_stay_inside_of_a_room_that_is_not_convex():
     assert rug.size[2] < 5e-4
     scene = Scene(id="rug", room=Room(outline=outline), objects=(rug,), relations=())
     (found,) = first_layouts([compile_scene(scene)], range(64), 4, [0], "cpu")
-    assert 0 < len(found.poses) < 64
+    assert len(found.poses) == 64
     assert all(check(posed(scene, poses), walkable=False).valid for poses in found.poses)
 
 

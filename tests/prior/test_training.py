@@ -84,6 +84,7 @@ def exact(data, steps, ends):
 def test_chunks_are_as_many_steps_as_are_told(data, monkeypatch):
     """With a chunk that only counts its keys: to compile one that learns takes long."""
     import jax
+    import optax  # noqa: F401 - before jax.jit is another: it compiles functions of its own where it is imported
 
     def counted(_chunk, **_options):
         def run(weights, average, moments, _step, _rate, keys, *_data):
