@@ -1,6 +1,8 @@
 """The account of a design: one list of demands, with what was not understood, and the mark for all of it."""
 
 import json
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -8,6 +10,7 @@ from sceneweaver.furnish.asked import Asked
 from sceneweaver.furnish.deliver import metrics_of
 from sceneweaver.furnish.result import HomeResult
 from sceneweaver.home import Home
+from sceneweaver.language.homes.things import _wished
 from sceneweaver.plans import Programme, check_plan
 from sceneweaver.report.home import HomePage, home_report
 from sceneweaver.verify.home import check_home
@@ -81,3 +84,13 @@ def test_a_programme_has_no_demands_in_words():
     asked = Asked.of("", Programme.example("flat-2-bedrooms"), None, None)
     assert asked.demands(FLAT) == () and asked.remarks == ()
     assert asked.within(asked.programme) is asked.programme
+
+
+@pytest.mark.parametrize(("showers", "status"), [(0, "not met"), (1, "partly"), (2, "met")])
+def test_as_many_things_as_are_told(showers, status):
+    """Two showers are met by two, and one is a part of them."""
+    have = ["toilet", *["shower"] * showers]
+    room: Any = SimpleNamespace(id="bathroom")
+    there: Any = SimpleNamespace(scene=SimpleNamespace())
+    (demand,) = _wished(room, "with two showers", there, have)
+    assert demand.status == status and demand.detail == f"{showers} shower"

@@ -43,7 +43,7 @@ _LESS = r"(?:less|smaller|lower|under|below)(?: than)?"
 _NOT = r"\b(?:no|not|never|don't go|mustn't|must not|nothing|shouldn't|cannot|can't)(?: (?:be|go|get|exceed))?"
 _TAIL = r"(?: (?:of|is|be|floor|area|size|floor area|the|a|total|total of|at|to))*$"
 _MOST = re.compile(
-    rf"(?:{_NOT} {_MORE}|{_NOT} (?:be |go )?{_MORE}|\bat (?:the )?most|\bup to|\bmax(?:imum)?|\bwithin"
+    rf"(?:{_NOT} {_MORE}|\bat (?:the )?most|\bup to|\bmax(?:imum)?|\bwithin"
     rf"|\bnot exceed(?:ing)?|\bcap(?:ped)?|\blimit(?:ed)?){_TAIL}"
 )
 _LEAST = re.compile(rf"(?:{_NOT} {_LESS}|\bat (?:the )?least|\bmin(?:imum)?|\bupwards?){_TAIL}")

@@ -40,10 +40,12 @@ def things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
 
 def _wished(room: RoomAsked, wish: str, there: HomeRoom | None, have: list[str]) -> Iterator[HomeDemand]:
     graph = graph_of(in_a_room(wish))
-    wanted = list(dict.fromkeys(entity.category for entity in graph.entities))
+    wanted = dict.fromkeys((entity.category for entity in graph.entities), 0)
+    for entity in graph.entities:
+        wanted[entity.category] += entity.count[0] if entity.count is not None else 1
     if wanted:
-        found = [name for name in wanted if name in have]
-        status: Status = "met" if len(found) == len(wanted) else "partly" if found else "not met"
+        whole = all(have.count(name) >= least for name, least in wanted.items())
+        status: Status = "met" if whole else "partly" if any(name in have for name in wanted) else "not met"
         counted = ", ".join(f"{have.count(name)} {name}" for name in wanted)
         missing = "no such room" if there is None else "nothing stands in it" if there.scene is None else ""
         yield HomeDemand("thing", f"{room.id}: {wish}", status, missing or counted)
