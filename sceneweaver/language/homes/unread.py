@@ -50,42 +50,58 @@ _ENDS = (
 _LEFT_OUT = ("and", "or", "but", "so", "with", "also", "then", "please", "plus", "that", "which", "where", ",", "too")
 """Words that a phrase neither begins nor ends with."""
 
+_LEADS = (
+    "in",
+    "on",
+    "at",
+    "to",
+    "from",
+    "into",
+    "onto",
+    "of",
+    "for",
+    "by",
+    "with",
+    "under",
+    "over",
+    "through",
+    "than",
+    "is",
+)
+"""Words that lead to what something is said of."""
+
 _TIES = (
-    (
-        "in",
-        "on",
-        "at",
-        "to",
-        "from",
-        "into",
-        "onto",
-        "of",
-        "for",
-        "by",
-        "with",
-        "under",
-        "over",
-        "through",
-        "than",
-        "is",
-    )
-    + (
-        "are",
-        "be",
-        "between",
-        "inside",
-        "along",
-        "around",
-        "behind",
-        "without",
-        "like",
-        "as",
-        "up",
-        "out",
-        "off",
-        "must",
-    )
-    + ("should", "can", "may", "not", "no", "the", "a", "an", "our", "my", "your", "their", "his", "her", "its", "and")
+    *_LEADS,
+    "are",
+    "be",
+    "between",
+    "inside",
+    "along",
+    "around",
+    "behind",
+    "without",
+    "like",
+    "as",
+    "up",
+    "out",
+    "off",
+    "must",
+    "should",
+    "can",
+    "may",
+    "not",
+    "no",
+    "the",
+    "a",
+    "an",
+    "our",
+    "my",
+    "your",
+    "their",
+    "his",
+    "her",
+    "its",
+    "and",
 )
 """Words after which a phrase goes on, whatever became of what follows."""
 
@@ -167,9 +183,9 @@ def _begin(reading: Reading, clause: range, first: int) -> int:
     said_of = any(tokens[k].text in data("remarks")["said_of"] for k in range(max(clause.start, first - 6), first))
     if said_of and first - clause.start < WHOLE:
         return clause.start
-    tied = first > clause.start and (tokens[first].has("joint", "side") or tokens[first - 1].text in _TIES[:16])
+    tied = first > clause.start and (tokens[first].has("joint", "side") or tokens[first - 1].text in _LEADS)
     if tied:  # with the thing or room that it is said of
-        while at > clause.start and first - at < WHOLE and tokens[at - 1].text in (*_TIES[:16], "the", "a", "an"):
+        while at > clause.start and first - at < WHOLE and tokens[at - 1].text in (*_LEADS, "the", "a", "an"):
             at -= 1
         room = next((one for one in reading.named if one.first < at <= one.last + 1), None)
         at = max(clause.start, room.first) if room is not None else at
