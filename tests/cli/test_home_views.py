@@ -26,7 +26,8 @@ def test_plans_are_written_as_drawings_and_as_pictures(run, home, tmp_path):
     assert run("render", home, "-o", tmp_path / "plan.svg").code == 0
     assert (tmp_path / "plan.svg").read_text().startswith("<svg")
     assert run("render", home, "-o", tmp_path / "plan.png", "--width", "500").code == 0
-    assert Image.open(tmp_path / "plan.png").width == 500
+    with Image.open(tmp_path / "plan.png") as picture:
+        assert picture.width == 500
 
 
 @pytest.mark.parametrize(

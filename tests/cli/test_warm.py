@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import select
 import subprocess
 import sys
 from pathlib import Path
@@ -81,9 +82,13 @@ def test_a_terminal_has_one_line_that_moves():
             line(Compiling(done, 2, float(done), 4.0))
     finally:
         streams._kept = before
-    said = os.read(ours, 10_000).decode()
+    said = b""
+    while b"\n" not in said:  # a terminal hands on what was written piece by piece
+        assert select.select([ours], [], [], 30.0)[0], said
+        said += os.read(ours, 10_000)
     os.close(ours)
     os.close(theirs)
+    said = said.decode()
     assert said.count("\r\x1b[K") == 3 and said.count("\n") == 1 and "(about 5 s): 1 of 2" in said
 
 
