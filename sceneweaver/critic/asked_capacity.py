@@ -1,6 +1,7 @@
 """Whether as many people as a request says have their places: seats at tables, beds, desks; counted in the scene.
 
-A seat at a table counts when it is within reach of it and turned to it, and where the table's edge has room for it.
+A seat at a table counts when it is within reach of it and turned to it, and where the table's edge has room for it. No
+place counts that nobody gets to from the door, nor a seat that is of no use where it stands: a bar stool without a bar.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 from sceneweaver.verify.stated import worktop
+from sceneweaver.verify.walkable import measure
 
 from . import kinds
 from .group_measures import nearest_point
@@ -120,14 +122,17 @@ def _places(survey: Survey, said: Capacity, item: str) -> Asked:
 
 def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[str], int] | None:
     """The ids of what has places, and how many those are; at the poorest target where each is meant."""
+    cut_off = _cut_off(survey)
     if said.activity == "sleep":
-        beds = [b for b in (targets or survey.bodies) if sleeping_places(b.item.category)]
+        beds = [b for b in (targets or survey.bodies) if sleeping_places(b.item.category) and b.id not in cut_off]
         return [b.id for b in beds], sum(sleeping_places(b.item.category) for b in beds)
     if targets:
         each = [_at(survey, said, target) for target in targets]
         ids = [i for found, _ in each for i in found]
         return ids, min(n for _, n in each) if said.each else sum(n for _, n in each)
-    seats = _of_size(survey, [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b)])
+    usable = [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b) and b.id not in cut_off]
+    own = [b for b in usable if b.item.intent.request is not None or not has_role(b.item.category, "footrest")]
+    seats = _of_size(survey, own)
     if said.activity in ("eat", "work"):
         tables = [b for b in survey.bodies if is_table(b)]
         left, ids, have = {seat.id for seat in seats}, list[str](), 0
@@ -140,7 +145,13 @@ def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[st
     beds = sum(sleeping_places(b.item.category) for b in survey.bodies)
     if said.activity == "use" and not seats and not beds:
         return None
-    return [b.id for b in seats], max(_in_room(survey, seats), beds if said.activity == "use" else 0)
+    return [b.id for b in seats], max(_in_room(survey, seats, said), beds if said.activity == "use" else 0)
+
+
+def _cut_off(survey: Survey) -> frozenset[str]:
+    """The ids of what nobody gets to from the door."""
+    access = measure(survey.placed)
+    return frozenset(access.unreached if access is not None else ())
 
 
 def _of_size(survey: Survey, seats: list[Body]) -> list[Body]:
@@ -150,20 +161,26 @@ def _of_size(survey: Survey, seats: list[Body]) -> list[Body]:
     return [b for b in seats if (used_level(b.item.solids, b.item.surfaces) or b.size[2]) > number("grown_up")]
 
 
-def _in_room(survey: Survey, seats: Sequence[Body]) -> int:
-    """The people that sit somewhere in the room: at each table as many as its edge has room for."""
+def _in_room(survey: Survey, seats: Sequence[Body], said: Capacity) -> int:
+    """The people that sit somewhere in the room: at each table as many as its edge has room for. Elsewhere nobody sits
+    on a seat that is too high without its bar; and where most sit at tables a chair that stands at none is a spare."""
     left, have = {seat.id: seat for seat in seats}, 0
     for table in (b for b in survey.bodies if is_table(b) and b.item.category not in kinds.COFFEE):
         own = [left.pop(seat.id) for seat in used_seats(survey, table) if seat.id in left]
         have += min(_on_all(own), _edge(survey, table))
-    return have + _on_all(list(left.values()))
+    alone = [b for b in left.values() if b.item.category not in kinds.HIGH_SEATS]
+    chairs = [b for b in alone if has_role(b.item.category, "table_seat")]
+    if said.activity != "wait" and have > len(chairs):
+        alone = [b for b in alone if b not in chairs]
+    return have + _on_all(alone)
 
 
 def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
     """The people at one thing: on a seat, or on the seats at a table, as far as its edge goes."""
     if _is_seat(target) and not used_seats(survey, target):
-        return [target.id], _on(target)
-    seats = used_seats(survey, target)
+        return [target.id], 0 if target.id in _cut_off(survey) else _on(target)
+    cut_off = _cut_off(survey)
+    seats = [seat for seat in used_seats(survey, target) if seat.id not in cut_off]
     edge = _edge(survey, target)
     if said.activity == "work" and has_role(target.item.category, "desk"):
         edge = max(1, int(target.size[1] / number("edge") + 1e-6))
@@ -181,7 +198,7 @@ def _edge(survey: Survey, table: Body) -> int:
     """The people that a table's edge has room for; a side that stands at a wall has none."""
     room = number("behind_edge")
     open_ = {side for side in ("front", "back", "left", "right") if survey.clear_ahead(table, side) >= room}
-    return edge_places(table.size[0], table.size[1], open_)
+    return edge_places(table.size[0], table.size[1], open_, round_="round" in table.item.category)
 
 
 def used_seats(survey: Survey, table: Body) -> list[Body]:

@@ -10,6 +10,7 @@ from sceneweaver.assets.roles import groups_above, has_role, with_role
 DESKS = with_role("desk")
 DINING = with_role("dining_table")
 SEATED_AT = with_role("seated_at")
+HIGH_SEATS = with_role("high_seat")
 COFFEE = with_role("coffee_table")
 SOFAS = with_role("sofa")
 LOUNGE = with_role("lounge_seat")

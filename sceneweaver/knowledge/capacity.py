@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Set
 from functools import cache
 from typing import Any
@@ -30,6 +31,11 @@ def sleeping_places(category: str) -> int:
     return max(above, default=0)
 
 
+def owned() -> frozenset[str]:
+    """The categories of which everybody has one for their own where several are named."""
+    return frozenset(_data()["own"])
+
+
 def seat_places(width: float) -> int:
     """The people that sit beside each other on a seat of a width [m]; at least one."""
     return max(1, int(width / number("seat_width") + 1e-6))
@@ -43,16 +49,19 @@ def long_enough(people: int) -> float:
 SIDES = frozenset(("front", "back", "left", "right"))
 
 
-def edge_places(depth: float, width: float, free: Set[str] = SIDES) -> int:
+def edge_places(depth: float, width: float, free: Set[str] = SIDES, *, round_: bool = False) -> int:
     """The people that sit at a table of two sides [m], one at each end where that is wide enough.
 
     Args:
         depth, width: its extents, from front to back and from left to right.
         free: its sides that one can sit at; all of a table that stands free.
+        round_: whether it is sat around evenly.
     """
     short, long = sorted((depth, width))
-    if free >= SIDES and long <= number("square") * short and long < 1.2:
-        return max(4, _along(short, long, 2, 0))
+    if free >= SIDES and long <= number("square") * short:
+        if round_:
+            return max(4, int(math.pi * short / number("ring") + 1e-6))
+        return max(4, 2 * _along(short, long - number("corner"), 2, 0))
     lengthwise, across = (("front", "back"), ("left", "right"))
     if depth > width:
         lengthwise, across = across, lengthwise

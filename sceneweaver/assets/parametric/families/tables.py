@@ -60,8 +60,12 @@ _DINING = [
 _BISTRO = "oak, walnut, marble, white paint, black paint, dark marble, light oak"
 _IRON = "black steel, brushed steel, chrome, iron"
 _CENTRAL = [Kind(base, _BISTRO, _IRON, inset=0.38) for base in ("disc", "cross", "tulip", "iron")]
+_LONG_BAR = [Kind("square", _BISTRO, _IRON, width=0.04, inset=0.03, apron=0.06)]
 _BOARDS = "oak, light oak, walnut, white paint, birch, ash grey wood, wenge"
 _SLATTED = "oak, cherry, ash grey wood, mahogany"
+
+LONG = 1.4
+"""How many times longer than deep a high table is from which it stands on legs at its corners."""
 
 TABLES = {
     "dining_table": _DINING,
@@ -144,8 +148,10 @@ TABLES = {
 @draws(*TABLES)
 def table(d: Drawing) -> None:
     """A top on legs with an apron, on end frames, on a central foot or two, on drawers; often with a shelf."""
-    kind = d.pick("kind", TABLES[d.category.name])
-    bounds, round_plan = d.bounds, kind.plan == "round"
+    bounds = d.bounds
+    long_bar = d.category.name == "bar_table" and max(bounds.size[:2]) > LONG * min(bounds.size[:2])
+    kind = d.pick("kind", _LONG_BAR if long_bar else TABLES[d.category.name])
+    round_plan = kind.plan == "round"
     if round_plan or kind in _CENTRAL:
         side = min(bounds.size[:2])
         bounds = bounds.place(side, side)
@@ -186,7 +192,7 @@ def table(d: Drawing) -> None:
             board = 0.012 if kind.width < 0.03 else 0.02
             free = 0.01 if kind.base == "waterfall" else kind.width
             board_between(d, lower, top, kind.shelf, free, under.height - kind.apron, board)
-    if bounds.height > 0.9:
+    if bounds.height > 0.9 and not long_bar:
         with d.part("ring"):
             d.hoop(Box.around((0.0, 0.0, 0.3), 0.4, 0.4, 0.0), 0.009, look, steps=16)
             with d.ring(4):
