@@ -72,13 +72,13 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1, *, fixe
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
     unasked = [r for r in broken if not r.asked]
     if fixed and any(o.intent.priority not in PRIORITIES[:2] for o in pool):
-        others = sorted(_spare(scene, pool, ()), key=lambda o: (-o.size[0] * o.size[1], o.id))
+        others = sorted(_spare(scene, pool, bearers(scene)), key=lambda o: (-o.size[0] * o.size[1], o.id))
         if others:
             return _without(scene, others[: (len(others) + 1) // 2])
     if unasked:
         return _softened(scene, unasked[:1] if ours == 1 else unasked)
     named = {name for r in scene.relations if r.asked for name in (r.subject, *r.targets)}
-    named |= {name for area in scene.free_areas for name in (*area.targets, *area.others)}
+    named |= {name for area in scene.free_areas for name in (*area.targets, *area.others)} | bearers(scene)
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
         return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
@@ -146,10 +146,23 @@ def lightened(
     scene: Scene, faults: Sequence[Violation], priority: str = PRIORITIES[0], at_once: int = 1
 ) -> Relaxed | None:
     """The scene without those ``at_once`` of a priority that its best layout has most trouble with; None for none."""
-    trouble = Counter(name for fault in faults for name in fault.objects)
-    least = [o for o in scene.objects if o.id in trouble and o.intent.priority == priority]
+    trouble, kept = Counter(name for fault in faults for name in fault.objects), bearers(scene)
+    least = [o for o in scene.objects if o.id in trouble and o.intent.priority == priority and o.id not in kept]
     least.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
     return _without(scene, least[:at_once]) if least else None
+
+
+def bearers(scene: Scene) -> frozenset[str]:
+    """The ids of what carries something that was asked for, which would go with it: the stand of the television."""
+    known = {o.id: o for o in scene.objects}
+    found = set[str]()
+    for obj in scene.objects:
+        under = obj.support.object if obj.intent.priority == "asked" and obj.support is not None else None
+        while under is not None and under in known and under not in found:
+            found.add(under)
+            support = known[under].support
+            under = support.object if support is not None else None
+    return frozenset(found)
 
 
 def eased(layout: Scene, scene: Scene) -> Scene:

@@ -22,6 +22,10 @@ AGAINST = 0.1
 
 Pair = frozenset[str | tuple[str, str] | None]
 
+SILL, BEFORE_PANE = 0.9, 0.36
+"""Height [m] of sills as a rule, and how far [m] from the wall of a window what is higher stands, as the depth before
+the pane stays free."""
+
 EDGES = ("against_wall", "in_corner", "at_window")
 """Types of relations that leave no room on all sides of a thing."""
 
@@ -50,6 +54,7 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
         if row.hard and row.type == "behind" and isinstance(row.target, str) and row.subject in depth:
             between[row.target] = max(between.get(row.target, 0.0), depth[row.subject])
     bodies = {one.id: one for one in wanted if one.mount == "floor"}
+    over_sills = {one.id for one in bodies.values() if one.asset.size[2] > SILL}
     found = []
     for row in rows:
         if row.type == "above" and row.subject in bodies:
@@ -63,6 +68,8 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
             row = replace(row, type="near", params={"max": high})
         if row.type == "against_wall" and row.target is None and row.subject in under:
             row = replace(row, hard=False)  # shoes under a bench at the wall
+        if row.type == "against_wall" and row.target == "window" and row.subject in over_sills:
+            row = replace(row, params={**row.params, "gap": [0.0, BEFORE_PANE]})
         if row.type == "against_wall" and row.subject in between:
             row = replace(row, params={**row.params, "gap": [0.0, round(between[row.subject] + BEHIND, 3)]})
         found.append(row)

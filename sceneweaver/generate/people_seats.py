@@ -105,6 +105,9 @@ def _shared_out(draft: PeopleDraft, people: int, named: Sequence[Entity], open_:
         left -= each[best.id]
     for entity in open_:
         draft.change(entity, count=(counts[entity.id], counts[entity.id]))
+        if has_role(entity.category, "sofa") and entity.size[1] is None:
+            width = long_enough(places_of(entity, 1)) + ARMS  # as long as was counted on
+            draft.change(draft.now(entity.id), size=(entity.size[0], round(width, 3), entity.size[2]))
     return max(0, left)
 
 

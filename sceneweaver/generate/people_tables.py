@@ -142,7 +142,7 @@ def tables_of_seats(draft: PeopleDraft) -> None:
     if len(free) != 1 or len(tables) != 1 or len(seats) != 1 or seats[0].count is None:
         return
     (table,), (seat,), people = free, seats, seats[0].count[0]
-    each = BESIDE if people <= 2 * ABOUT else ABOUT
+    each = BESIDE if people <= 2 * ABOUT or table.category == FOR_TWO or table.scale < 1.0 else ABOUT
     count = max(2, math.ceil(people / each))
     draft.change(table, count=(count, count))
     of_their_size(draft, draft.now(table.id), each)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.language import Entity
+from sceneweaver.language import Entity, StatedRelation
 
 from .people_draft import PeopleDraft, is_vague, told
 
@@ -46,9 +46,11 @@ def bars_at_windows(draft: PeopleDraft) -> None:
         assert known is not None
         length = min(max(round(count * EACH + 0.1, 3), known.width[0]), round(known.built[1][1], 3))
         draft.change(bar, size=(DEPTH, length, None))
-        draft.relations = [
-            r.model_copy(update={"subject": bar.id, "type": "at"}) if r in at else r for r in draft.relations
-        ]
+        draft.relations = [r.model_copy(update={"subject": bar.id}) if r in at else r for r in draft.relations]
+        # Its long side is at the wall of the window, not an end of it.
+        name = f"relation-{len(draft.relations)}"
+        below = StatedRelation(id=name, type="below", subject=bar.id, targets=("window",), implied=True)
+        draft.relations.append(below)
         told(draft, stools, draft.now(bar.id), "at", count, False)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Grounded, SceneGraph
-from sceneweaver.language.model import StatedRelation
+from sceneweaver.language.model import Arrangement, StatedRelation
 from sceneweaver.scene import CATALOGUE
 
 from .program import Wanted
@@ -117,12 +117,21 @@ def _means_at(said: StatedRelation, seat: Wanted, table: Wanted) -> bool:
 
 
 def _closed(table: Wanted, rows: Sequence[Grounded], brief: SceneGraph) -> frozenset[str]:
-    """The sides of a table at which nobody sits: that at a wall or a window, and of a U all but the outer one."""
-    if any(a.pattern == "u" and a.entity == table.asked for a in brief.arrangements):
+    """The sides of a table at which nobody sits: that at a wall or a window, of a U all but the outer one, and of
+    tables that look at a board all but the one from which people see it."""
+    if any(a.entity == table.asked and (a.pattern == "u" or _looks_ahead(a, brief)) for a in brief.arrangements):
         return frozenset(("front", "left", "right"))
     edges = CATALOGUE.with_role("edge")
     stated = any(r.subject == table.id and r.type in edges and r.type != "in_corner" for r in rows)
     return frozenset(("back",) if stated or table.wall > 0.0 else ())
+
+
+def _looks_ahead(said: Arrangement, brief: SceneGraph) -> bool:
+    """Whether rows look at one thing, such as a board, so that all sit on the far side of their tables."""
+    told = {r.subject for r in brief.relations if r.type == "facing" and not r.implied and r.targets}
+    return said.pattern in ("row", "rows", "grid") and (
+        said.facing not in ("", "each other") or (said.entity in told and not said.facing)
+    )
 
 
 def shared_out(
