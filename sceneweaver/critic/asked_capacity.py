@@ -16,7 +16,7 @@ from sceneweaver.language.model import Capacity
 from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
-from sceneweaver.verify.stated import worktop
+from sceneweaver.verify.stated import seat_top, worktop
 from sceneweaver.verify.walkable import measure
 
 from . import kinds
@@ -235,7 +235,7 @@ def _is_covered(survey: Survey, seat: Body) -> bool:
 
 def _fits_under(seat: Body, table: Body) -> bool:
     """Whether who sits on a seat without a back has the table at a height to use it."""
-    limits, rise = fault_kind("too_few_places").limits, worktop(table) - seat.z[1]
+    limits, rise = fault_kind("too_few_places").limits, worktop(table) - seat_top(seat)
     return not has_role(seat.item.category, "backless_seat") or limits["knees"] <= rise <= limits["chest"]
 
 

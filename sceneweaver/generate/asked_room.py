@@ -57,7 +57,7 @@ def asked_room(brief: SceneGraph, words: str, like: RoomType | None = None) -> R
             "description": f"What is asked for, in a room called '{words}'" if words else "What is asked for",
             "sources": ("the request",),
             "area": (min(floor, SMALLEST), floor, 2.0 * floor),
-            "people": 1,
+            "people": people_of(brief) or 1,
             "palettes": None,
             "never": (),
             "names": {},

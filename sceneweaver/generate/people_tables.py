@@ -110,6 +110,7 @@ def seats_named(draft: PeopleDraft, table: Entity) -> Entity | None:
     placed = {r.subject for r in draft.relations if r.targets and table.id not in r.targets and not r.implied}
     placed |= {e.id for e in seats if e.implied and e.id not in at}  # those that another table was given
     upright = [e for e in seats if has_role(e.category, "sits_at_table") and e.category != "wheelchair"]
+    placed |= {e.id for e in upright if has_role(e.category, "lounge_seat") and not is_vague(e)}  # one to read in
     return next((e for e in upright if e.id in at), None) or next((e for e in upright if e.id not in placed), None)
 
 

@@ -26,6 +26,9 @@ LOWEST = 2.4
 HEIGHTS = (-0.1, 0.0, 0.0, 0.0, 0.1, 0.2, 0.35)
 """By how much [m] ceilings differ from the usual height of a kind of room."""
 
+EACH_MORE = 2.0
+"""Floor [m2] for each of those who are more than such a room usually has, where its kind does not say it."""
+
 FEW = 3
 """Things that a request may name while the shape of the room is still drawn."""
 
@@ -47,6 +50,8 @@ def floor_area(
     area = room_type.area[1] * brief.scale * rng.uniform(0.92, 1.14)
     if told is not None and room_type.area_per_person:
         area = max(area, room_type.area_per_person * people)
+    elif told is not None:
+        area += EACH_MORE * max(0, people - room_type.people)
     free = kept_free(brief)
     area += free
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0) + free), people, False, notes

@@ -68,7 +68,7 @@ _ALL = (
     _asked("share_over", "", "share of the subject's outline within the target's, as seen from above; of either"),
     _asked("share_within", "", "share of the subject's height and outline within the target's"),
     _asked("held", "", "1 where the target carries the subject, with anything between; of: inner, outer, hook"),
-    _asked("top_over_seat", "m", "height of the target's worktop over the top of the subject"),
+    _asked("top_over_seat", "m", "height of the target's worktop over the seat of the subject"),
     _asked("top_over_top", "m", "top of the subject over the top of the target"),
     _asked("top_over_middle", "m", "top of the subject over the middle of the target's height"),
     _asked("bottom_over_top", "m", "bottom of the subject over the top of the target"),

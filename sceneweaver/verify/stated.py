@@ -13,6 +13,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from sceneweaver.assets.carrying import is_hook
+from sceneweaver.assets.levels import used_level
 from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import cross, dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
@@ -158,6 +159,12 @@ def worktop(body: Body) -> float:
     if not open_:
         return body.z[1]
     return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
+
+
+def seat_top(body: Body) -> float:
+    """The height [m] of what one sits on: a bar stool's low back is above it."""
+    level = used_level(body.item.solids, body.item.surfaces)
+    return body.z[1] if level is None else body.z[0] + level
 
 
 # ---- measures --------------------------------------------------------------------------------------------------------
@@ -351,7 +358,7 @@ MEASURED: dict[str, Callable[[Asked], Reading | None]] = {
     "looks_away": _looks_away,
     "end_on": _end_on,
     "seat_away": _seat_away,
-    "top_over_seat": lambda q: Reading(worktop(q.t) - q.s.z[1]),
+    "top_over_seat": lambda q: Reading(worktop(q.t) - seat_top(q.s)),
     "off_front": _off_front,
     "turn": _turn,
     "to_wall": _to_wall,

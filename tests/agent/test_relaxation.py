@@ -44,6 +44,20 @@ def test_only_what_is_in_trouble_gives_way_and_what_stands_on_it_goes_along():
     assert found.notes == (f"b was left out: {REASON}",) and not found.unmet and not found.scene.dropped
 
 
+def test_what_carries_something_asked_for_is_not_given_up_before_what_carries_nothing():
+    tv = SceneObject(
+        id="tv",
+        category="tv",
+        size=(0.1, 0.8, 0.5),
+        pose=Pose.from_yaw(2.9, 2.0, 0.5, 0.0),
+        mount="surface",
+        support=Support(object="stand", surface="top"),
+        intent=Intent(priority="asked"),
+    )
+    found = relax(room(cube("table", "usual", 2.1), cube("stand", "optional", 2.9), tv))
+    assert found is not None and found.scene.ids == ("stand", "tv") and not found.unmet
+
+
 def test_what_is_there_for_a_thing_goes_with_it_unless_it_was_asked_for():
     objects = (cube("a", "needed", 2.1), cube("desk", "optional", 2.9), cube("stool", "usual", 6.0))
     tied = Relation(type="front_to_front", subject="stool", target="desk")

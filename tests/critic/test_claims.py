@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from sceneweaver.critic.asked_words import of_its_own
 from sceneweaver.knowledge.capacity import edge_places
 from sceneweaver.knowledge.kin import is_several
@@ -63,6 +65,11 @@ def test_the_side_of_a_table_at_a_wall_has_no_places():
     assert edge_places(0.9, 2.4) == 10
     assert edge_places(0.9, 2.4, {"front", "left", "right"}) == 6
     assert edge_places(0.9, 2.4, {"front"}) == 4
+
+
+@pytest.mark.parametrize(("side", "square", "round_"), [(0.7, 4, 4), (1.2, 4, 6), (1.5, 8, 7), (1.8, 8, 9)])
+def test_a_large_table_with_equal_sides_has_more_than_four_places(side: float, square: int, round_: int):
+    assert (edge_places(side, side), edge_places(side, side, round_=True)) == (square, round_)
 
 
 def test_a_rail_of_hooks_is_no_hook():

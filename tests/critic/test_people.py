@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sceneweaver.language.model import Arrangement, Capacity, Entity
-from sceneweaver.scene import SceneObject
+from sceneweaver.scene import Part, SceneObject
 from tests.critic.measuring import CHAIR, TABLE, aligned, box, carrier, graph, on
 
 BUNK = (2.05, 1.0, 1.7)
@@ -139,3 +139,45 @@ def test_a_stack_is_what_carries_each_other():
 
 def test_things_that_are_not_there_are_not_arranged():
     assert of([], arranged("row", rows=1), "locker").status == "unmet"
+
+
+HIGH = (0.42, 0.42, 0.75)
+
+
+def in_all(objects: list[SceneObject], people: int, *named: str) -> Any:
+    return of(objects, Capacity(id="capacity-0", people=people, activity="sit"), *named)
+
+
+def test_a_bar_stool_is_a_place_at_a_bar_alone():
+    bar = box("bar_table-0", (0.55, 1.4, 1.05), 3.0, 2.5)
+    at = [box(f"bar_stool-{k}", HIGH, 3.45, 2.2 + 0.6 * k, 180) for k in range(2)]
+    alone = [box(f"bar_stool-{k}", HIGH, 5.5, 2.2 + 0.6 * k, 180) for k in range(2)]
+    assert in_all([bar, *at], 2).status == "met"
+    found = in_all([bar, *alone], 2)
+    assert found.status == "unmet" and found.measured == 0.0
+
+
+def test_where_people_sit_at_a_table_a_chair_beside_is_no_place_but_an_armchair_is():
+    spare = chair(5.4, 4.4, 180, 4)
+    assert in_all([table, *AT, spare], 5).measured == 4.0
+    armchair = box("armchair-0", (0.8, 0.8, 0.8), 5.3, 4.3, 180)
+    assert in_all([table, *AT, armchair], 5).status == "met"
+    assert in_all([spare, chair(5.4, 3.2, 180, 5)], 2).status == "met"  # without a table chairs are to sit on
+
+
+def test_a_seat_that_nobody_gets_to_is_no_place():
+    shut_in = [box(f"armchair-{k}", (0.8, 0.8, 0.8), 5.5, 0.6 + 0.9 * k, 180) for k in range(2)]
+    wall = box("bookcase-0", (0.3, 5.0, 2.0), 3.4, 2.5)
+    assert in_all(shut_in, 2).status == "met"
+    assert in_all([*shut_in, wall], 2).measured == 0.0
+    beds = [box("single_bed-0", (2.0, 0.9, 0.5), 4.8, 1.0)]
+    said = Capacity(id="capacity-0", people=1, activity="sleep")
+    assert of(beds, said).status == "met" and of([*beds, wall], said).measured == 0.0
+
+
+def test_the_back_of_a_stool_is_not_its_seat():
+    bar = box("bar_table-0", (0.55, 1.4, 1.05), 3.0, 2.5)
+    seat = Part(polygon=((-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)), z=(0.0, 0.75))
+    back = Part(polygon=((-0.2, -0.2), (-0.15, -0.2), (-0.15, 0.2), (-0.2, 0.2)), z=(0.75, 1.0))
+    stool = box("bar_stool-0", (0.4, 0.4, 1.0), 3.45, 2.5, 180, parts=(seat, back))
+    assert in_all([bar, stool], 1).status == "met"
