@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.knowledge.capacity import number
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation
 
@@ -149,7 +150,8 @@ def _needed(table: Wanted, program: Program, rows: Sequence[Grounded]) -> float:
         along = ring if table.wall > 0.0 else 0
     if ring > 2 and _is_round(table):
         edges = EDGES if ring > EDGES // 2 else EDGES // 2
-        return math.ceil(ring / edges) * wide / math.tan(math.pi / edges) + TUCKED
+        tucked = math.ceil(ring / edges) * wide / math.tan(math.pi / edges) + TUCKED
+        return max(tucked, ring * number("ring") / math.pi + 0.01)
     if ring > 2:
         along = max(along, math.ceil((ring - 2) / 2))
     return along * max(EDGE, wide + ELBOW) if along else 0.0
