@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.capacity import owned, sleeping_places
 from sceneweaver.language import Entity
 from sceneweaver.language.model import Capacity
@@ -12,6 +13,9 @@ from .people_draft import PeopleDraft, is_vague
 
 MOST = 12
 """People of whom each has things for their own, at most: pupils of a class share lockers."""
+
+NARROW = 1.25
+"""Width of what one person has for their own, in the least that such things have, where some are for several."""
 
 CHILDREN = frozenset(("child", "children", "kid", "kids", "boys", "girls", "boy", "girl", "toddlers", "twins"))
 
@@ -48,5 +52,10 @@ def one_each(draft: PeopleDraft) -> None:
     if people is None or not 1 < people <= MOST:
         return
     for entity in draft.entities:
-        if is_vague(entity) and entity.category in owned():
-            draft.change(entity, count=(people, people))
+        if not is_vague(entity) or entity.category not in owned():
+            continue
+        draft.change(entity, count=(people, people))
+        known = category_named(entity.category).size
+        if known is not None and entity.size[1] is None and known.width[1] > 2 * known.width[0]:
+            width = round(NARROW * known.width[0], 3)  # of lockers in a row one door, not three
+            draft.change(draft.now(entity.id), size=(entity.size[0], width, entity.size[2]))
