@@ -36,7 +36,14 @@ GENERAL = (
 
 def named_kinds(brief: SceneGraph) -> frozenset[str]:
     """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
-    return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
+    named = (one for one in brief.entities if not _is_bar_of_stools(one, brief))
+    return frozenset(c for one in named for c in kin(one.category, one.noun))
+
+
+def _is_bar_of_stools(one: Entity, brief: SceneGraph) -> bool:
+    """Whether a thing is the bar that stools at a window need: the tables of the room are there besides."""
+    below = any(r.type == "below" and r.subject == one.id and r.targets == ("window",) for r in brief.relations)
+    return one.implied and below and has_role(one.category, "counter")
 
 
 def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
@@ -51,11 +58,12 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
     if room_type.for_request:
         return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    bars = {one.id for one in brief.entities if _is_bar_of_stools(one, brief)}
     for one in brief.entities:
-        found[one.id] = _with_their_hosts(one, found, room_type, brief)
+        found[one.id] = () if one.id in bars else _with_their_hosts(one, found, room_type, brief)
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
-        if any(room_type.item(name).need == "needed" for name in found[one.id]):
+        if one.id in bars or any(room_type.item(name).need == "needed" for name in found[one.id]):
             continue
         own = kin(one.category)
         needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]

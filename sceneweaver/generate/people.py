@@ -15,6 +15,7 @@ from sceneweaver.language import Entity, SceneGraph, StatedRelation
 from sceneweaver.language.model import Arrangement, Capacity
 from sceneweaver.language.vocabulary import family
 
+from .meant import matches
 from .people_beds import beds, one_each
 from .people_draft import PeopleDraft, is_vague, told
 from .people_seats import is_worked_at, long_seat, only_long_seat, seats
@@ -103,11 +104,17 @@ def _seats_of_the_table(draft: PeopleDraft) -> None:
     if not alone or (low and draft.room.name not in LOW_SET):
         return
     count = seats[0].count[0] if seats[0].count else 1
-    if not low and not can_seat(tables[0], count):
+    if not low and (not can_seat(tables[0], count) or _stand_by_themselves(draft, seats[0])):
         return
     told(draft, seats[0], tables[0], "around", count, False)
     if not low:
         of_their_size(draft, draft.now(tables[0].id), count)
+
+
+def _stand_by_themselves(draft: PeopleDraft, seats: Entity) -> bool:
+    """Whether such a room has such seats at no table: those of a waiting room are not around its magazines."""
+    own = [item for item in draft.room.items if matches(seats.category, item)]
+    return bool(own) and all(item.with_ is None for item in own)
 
 
 def _stacks(draft: PeopleDraft, said: Arrangement) -> None:

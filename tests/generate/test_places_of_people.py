@@ -47,6 +47,12 @@ def test_stools_at_a_window_have_a_bar(text: str, bars: int) -> None:
         assert any(r.targets == (bar.id,) for r in brief.relations if r.subject == "stool")
 
 
+def test_the_tables_of_the_room_are_there_beside_the_bar(library: Library) -> None:
+    found = Counter(o.category for o in drawn("a cafe with high stools along the window", library).objects)
+    assert found["bar_table"] == 1 and found["cafe_table"] >= 2 and found["bar_stool"] == 4
+    assert found["chair"] + found["dining_chair"] >= 2 * found["cafe_table"]
+
+
 def test_a_bed_in_a_room_with_a_stool_at_its_window_gets_no_bar() -> None:
     assert not counts("a bedroom with a bed and two stools at the window")["bar_table"]
 
@@ -84,6 +90,8 @@ def test_a_table_is_as_long_as_the_chairs_that_are_counted_need(library: Library
 def test_chairs_of_a_waiting_room_are_not_put_around_a_childs_table() -> None:
     brief = brief_of("a dentist's waiting room with ten chairs and a small kids table")
     assert not [r for r in brief.relations if r.subject == "chair" and "kids_table" in r.targets]
+    brief = brief_of("a doctor's waiting room with ten chairs and a table with magazines")
+    assert not [r for r in brief.relations if r.subject == "chair" and "dining_table" in r.targets]
 
 
 def test_who_looks_at_a_board_sits_on_the_far_side_of_the_table(library: Library) -> None:
