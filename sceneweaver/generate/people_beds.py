@@ -9,15 +9,13 @@ from sceneweaver.knowledge.capacity import owned, sleeping_places
 from sceneweaver.language import Entity
 from sceneweaver.language.model import Capacity
 
-from .people_draft import PeopleDraft, is_vague
+from .people_draft import CHILDREN, PeopleDraft, is_vague
 
 MOST = 12
 """People of whom each has things for their own, at most: pupils of a class share lockers."""
 
 NARROW = 1.25
 """Width of what one person has for their own, in the least that such things have, where some are for several."""
-
-CHILDREN = frozenset(("child", "children", "kid", "kids", "boys", "girls", "boy", "girl", "toddlers", "twins"))
 
 
 def beds(draft: PeopleDraft, said: Capacity, target: Entity | None) -> None:

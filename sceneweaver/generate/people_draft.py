@@ -9,6 +9,9 @@ from sceneweaver.knowledge.kin import excluded_kinds
 from sceneweaver.language import Entity, SceneGraph, StatedRelation
 from sceneweaver.language.model import RelationType
 
+CHILDREN = frozenset(("child", "children", "kid", "kids", "boys", "girls", "boy", "girl", "toddlers", "twins"))
+"""Words for those who sit and sleep in small things."""
+
 
 @dataclass
 class PeopleDraft:

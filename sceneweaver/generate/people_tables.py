@@ -13,9 +13,9 @@ from sceneweaver.language import Entity
 from sceneweaver.language.model import Capacity, RelationType
 from sceneweaver.language.vocabulary import family
 
-from .people_draft import PeopleDraft, is_vague, told
+from .people_draft import CHILDREN, PeopleDraft, is_vague, told
 
-USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
+USUAL_SEATS = {"kids": "kids_chair", "desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 """Seats at tables that a kind of room has none for, by a part of the table's name; chairs else."""
 
 FOR_TWO = "cafe_table"
@@ -56,21 +56,18 @@ def seats_at(draft: PeopleDraft, said: Capacity, table: Entity) -> None:
             draft.change(named, count=(count, count))
             told(draft, named, table, place_at(draft, table, said), math.ceil(count / tables), tables > 1)
         return
-    seat = draft.add(seat_for(draft.room, table), people)
+    each = said.people if said.each else math.ceil(people / tables)
+    seat = draft.add(seat_for(draft.room, table), each * tables)  # sets of one size, with a seat or two to spare
     if seat is not None:
-        told(
-            draft,
-            seat,
-            table,
-            place_at(draft, table, said),
-            said.people if said.each else math.ceil(people / tables),
-            tables > 1,
-        )
+        told(draft, seat, table, place_at(draft, table, said), each, tables > 1)
 
 
 def of_their_size(draft: PeopleDraft, table: Entity, people: int) -> Entity:
     """A plain table as long as so many need, and a small one for two; what the request says of its size stays."""
     known = category_named(table.category).size
+    if has_role(table.category, "coffee_table") and CHILDREN & set(draft.brief.for_whom):
+        draft.change(table, category="kids_table")  # children eat and paint at it
+        return draft.now(table.id)
     plain = table.category == "dining_table" and table.noun.rstrip("s").split()[-1:] == ["table"]
     if not plain or known is None or any(table.size) or table.scale < 1.0:
         return table
@@ -115,7 +112,9 @@ def seats_named(draft: PeopleDraft, table: Entity) -> Entity | None:
 
 
 def seat_for(room: RoomType, table: Entity) -> str:
-    """The kind of seat that is usual at a table in a kind of room."""
+    """The kind of seat that is usual at a table in a kind of room; a child's table has children's."""
+    if "kids" in table.category:
+        return USUAL_SEATS["kids"]
     for item in room.items:
         host = room.item(item.with_) if item.with_ else None
         if host is not None and family(item.what[0]) == "seat" and kin(table.category) & set(host.what):
@@ -126,10 +125,11 @@ def seat_for(room: RoomType, table: Entity) -> str:
 def seats_more(draft: PeopleDraft, said: Capacity, table: Entity, people: int) -> None:
     """Seats at a table, or in equal parts at several, for those of whom the request names no seats: two of eight
     potters work at the table."""
-    seat = draft.add(seat_for(draft.room, table), people)
     tables = table.count[0] if table.count else 1
+    each = math.ceil(people / tables)
+    seat = draft.add(seat_for(draft.room, table), each * tables)
     if seat is not None:
-        told(draft, seat, table, place_at(draft, table, said), math.ceil(people / tables), tables > 1)
+        told(draft, seat, table, place_at(draft, table, said), each, tables > 1)
 
 
 def tables_of_seats(draft: PeopleDraft) -> None:

@@ -94,6 +94,11 @@ def test_chairs_of_a_waiting_room_are_not_put_around_a_childs_table() -> None:
     assert not [r for r in brief.relations if r.subject == "chair" and "dining_table" in r.targets]
 
 
+def test_children_sit_at_low_tables_on_small_chairs() -> None:
+    found = counts("a room where ten children paint at low tables, with a sink")
+    assert found["kids_table"] >= 2 and found["kids_chair"] >= 10 and not found["coffee_table"]
+
+
 def test_who_looks_at_a_board_sits_on_the_far_side_of_the_table(library: Library) -> None:
     scene = drawn("a training room for eight, four tables in two rows facing the whiteboard", library)
     sides = {r.params["side"] for r in scene.relations if r.type == "seated_at"}
