@@ -152,12 +152,13 @@ def off_front(body: Body, point: tuple[float, float], way: float = 1.0) -> float
 
 
 def worktop(body: Body) -> float:
-    """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it."""
+    """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it; under a
+    rack of tools the highest that there is."""
     import shapely
 
     open_ = [s for s in body.item.surfaces if s.headroom is None]
     if not open_:
-        return body.z[1]
+        return body.z[0] + max((s.z for s in body.item.surfaces), default=body.z[1] - body.z[0])
     return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
 
 

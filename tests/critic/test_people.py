@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sceneweaver.language.model import Arrangement, Capacity, Entity
-from sceneweaver.scene import Part, SceneObject
+from sceneweaver.scene import Part, SceneObject, Surface
 from tests.critic.measuring import CHAIR, TABLE, aligned, box, carrier, graph, on
 
 BUNK = (2.05, 1.0, 1.7)
@@ -181,3 +181,11 @@ def test_the_back_of_a_stool_is_not_its_seat():
     back = Part(polygon=((-0.2, -0.2), (-0.15, -0.2), (-0.15, 0.2), (-0.2, 0.2)), z=(0.75, 1.0))
     stool = box("bar_stool-0", (0.4, 0.4, 1.0), 3.45, 2.5, 180, parts=(seat, back))
     assert in_all([bar, stool], 1).status == "met"
+
+
+def test_a_bench_with_a_rack_over_its_top_is_sat_at():
+    top = Surface(name="top", polygon=((-0.3, -0.5), (0.3, -0.5), (0.3, 0.5), (-0.3, 0.5)), z=0.8, headroom=0.2)
+    bench = box("workbench-0", (0.6, 1.2, 1.1), 3.0, 2.5, surfaces=(top,))
+    stool = box("stool-0", (0.35, 0.35, 0.45), 3.4, 2.5, 180)
+    said = Capacity(id="capacity-0", people=1, activity="work")
+    assert of([bench, stool], said).status == "met"
