@@ -54,9 +54,9 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1, *, fixe
     all; then go all that nobody asked for and no asked relation or free area names, also where it is in nobody's way
     now, which it may be in every other layout; then floor is no longer kept free; then relations that were asked for
     become soft, with ``at_once`` above 1 one for each group of objects, above `FEW` all. Then go the other objects, by
-    priority, those last that most of what was asked for is told to be at; of one that was asked for all relations
-    become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could
-    give way.
+    priority, seats with places at tables after others, those last that most of what was asked for is told to be at; of
+    one that was asked for all relations become soft and so light that it may be anywhere, before it goes. None when the
+    faults are about nothing that could give way.
 
     Where the room is ``fixed`` no larger one comes to help: there half of what stands in it and is optional or usual
     goes, the largest first, before a relation of what is needed or asked for gives way, or that itself.
@@ -98,8 +98,8 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1, *, fixe
         return _softened(scene, broken[:1] if at_once == 1 else broken if at_once > FEW else _apart(broken))
     if not pool:
         return None
-    held = _held(scene)
-    first = min(pool, key=lambda o: (o.intent.rank, held[o.id], -trouble[o.id], o.id))
+    held, places = _held(scene), {r.subject for r in scene.relations if r.asked and r.type in TIED}
+    first = min(pool, key=lambda o: (o.intent.rank, o.id in places, held[o.id], -trouble[o.id], o.id))
     ties = [r for r in scene.relations if first.id in (r.subject, *r.targets) and (r.hard or r.weight > LIGHT)]
     if first.intent.priority == "asked" and ties:
         return _softened(scene, ties, LIGHT)
