@@ -14,6 +14,7 @@ from sceneweaver.language.model import Arrangement
 from sceneweaver.language.vocabulary import family
 from sceneweaver.scene import CATALOGUE, Room
 
+from .desk_sides import at_desks
 from .draft import area_of
 from .grid import PULL, group_of
 from .patterns import (
@@ -37,7 +38,7 @@ from .places import SEATED, kept_clear, lined_at, seats_at_tables
 from .program import Wanted
 from .sights import turned_to_views
 from .stacks import rows_for
-from .stations import of_their_own, rows_before_walls
+from .stations import as_they_belong, hung_before, of_their_own, room_beside, rows_before_walls, with_their_own
 from .units import Unit, composed, front_way, side_way, told_between
 
 OFFSET = 0.03
@@ -138,7 +139,8 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
             found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
             seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
-            pitch = _parted(_pitch(things[0], wanted, said, _spacing(said, brief), seats), said, things, wanted, brief)
+            pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
+            pitch = _parted(_of_stations(pitch, said, things[0], wanted, brief), said, things, wanted, brief)
             found.append(_pattern(said, things, _spots(said, things, wanted, pitch, brief)))
     return found
 
@@ -238,7 +240,7 @@ def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
     if said.spacing is not None:
         return said.spacing
     gaps = [area for area in brief.free_areas if area.kind == "gap" and set(area.targets) == {said.entity}]
-    return gaps[0].size[0] if gaps else None
+    return gaps[0].size[0] + 2 * OFFSET if gaps else None  # that much at least, wherever each is within its play
 
 
 def _spots(
@@ -341,6 +343,18 @@ def _pitch(
     return Pitch(depth, width, beside, between)
 
 
+def _of_stations(pitch: Pitch, said: Arrangement, one: Wanted, wanted: Sequence[Wanted], brief: SceneGraph) -> Pitch:
+    """A pitch with room for what each thing has for its own, and for the floor that stays free around each."""
+    depth, width = with_their_own(one, brief, wanted)
+    beside = max(pitch.beside, room_beside(one, brief, wanted)) if said.pitch is None else pitch.beside
+    free = [area.size[0] for area in brief.free_areas if area.kind == "clearance" and said.entity in area.targets]
+    clear = max(free, default=0.0) + (2 * OFFSET if free else 0.0)
+    more = max(0.0, width - pitch.width) if said.pitch is None else 0.0
+    return Pitch(
+        max(pitch.depth, depth), pitch.width + more, max(beside - more, clear - more, 0.0), max(pitch.between, clear)
+    )
+
+
 def _radius(said: Arrangement, wanted: Sequence[Wanted]) -> float:
     """How far [m] from the middle of a circle the fronts are, for what stands in it."""
     inner = [w for w in wanted if said.around and w.asked == said.around]
@@ -359,9 +373,8 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
     seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
-    kept = [
-        r for r in seats_at_tables(tuple(rows), brief, wanted) if not (r.subject in followers and r.type in DROPPED)
-    ]
+    rows = as_they_belong(at_desks(tuple(rows), brief, wanted), brief, wanted)
+    kept = [r for r in seats_at_tables(rows, brief, wanted) if not (r.subject in followers and r.type in DROPPED)]
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
@@ -597,7 +610,8 @@ def _units_fit(units: Sequence[Unit], short: float, long: float) -> bool:
 
 
 def hung(brief: SceneGraph, wanted: Sequence[Wanted]) -> None:
-    """Gives what hangs in rows one above the other its wall and its height."""
+    """Gives what hangs in rows one above the other, and before seats, its wall and its height."""
+    hung_before(brief, wanted)
     for said in brief.arrangements:
         things = [w for w in wanted if w.asked == said.entity]
         if not said.upright or len(things) < 2:

@@ -151,12 +151,16 @@ def off_front(body: Body, point: tuple[float, float], way: float = 1.0) -> float
 
 
 def worktop(body: Body) -> float:
-    """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it."""
+    """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it; that of
+    its largest part where nothing is put on it, such as a sewing table without its machine."""
     import shapely
 
     open_ = [s for s in body.item.surfaces if s.headroom is None]
     if not open_:
-        return body.z[1]
+        parts = body.item.parts
+        if not parts:
+            return body.z[1]
+        return body.z[0] + max(parts, key=lambda p: float(shapely.Polygon(p.polygon).area)).z[1]
     return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
 
 
