@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.capacity import number
+from sceneweaver.knowledge.desk_sides import is_desk
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.language.model import Arrangement
 from sceneweaver.language.vocabulary import family
@@ -16,6 +17,8 @@ from sceneweaver.scene import CATALOGUE, Room
 
 from .desk_sides import at_desks
 from .draft import area_of
+from .focus import BETWEEN, IN_ROWS, focus_in, focus_of
+from .galley import without_runs
 from .grid import PULL, group_of
 from .patterns import (
     Pitch,
@@ -34,7 +37,7 @@ from .patterns import (
     u_shape,
     upright,
 )
-from .places import SEATED, kept_clear, lined_at, seats_at_tables
+from .places import kept_clear, lined_at, means_at, seats_at_tables
 from .program import Wanted
 from .sights import turned_to_views
 from .stacks import rows_for
@@ -138,8 +141,10 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
         elif said.pattern == "right_angle":
             found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
-            seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
+            seats = {r.subject for r in brief.relations if said.entity in r.targets and means_at(r)}
             pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
+            if focus_of(said, brief) is not None:
+                pitch = _in_rows(pitch, things[0], wanted, seats)
             pitch = _parted(_of_stations(pitch, said, things[0], wanted, brief), said, things, wanted, brief)
             found.append(_pattern(said, things, _spots(said, things, wanted, pitch, brief)))
     return found
@@ -343,6 +348,15 @@ def _pitch(
     return Pitch(depth, width, beside, between)
 
 
+def _in_rows(pitch: Pitch, table: Wanted, wanted: Sequence[Wanted], seats: Collection[str]) -> Pitch:
+    """A pitch of tables in rows with seats on one side: who sits there needs floor behind, and none at the ends."""
+    if not table.thing.is_table:
+        return pitch
+    deep = max((w.asset.size[0] for w in wanted if w.asked in seats or w.parent is table), default=0.0)
+    depth, width, _ = table.asset.size
+    return Pitch(depth + deep, width, pitch.beside, BETWEEN) if deep else pitch
+
+
 def _of_stations(pitch: Pitch, said: Arrangement, one: Wanted, wanted: Sequence[Wanted], brief: SceneGraph) -> Pitch:
     """A pitch with room for what each thing has for its own, and for the floor that stays free around each."""
     depth, width = with_their_own(one, brief, wanted)
@@ -373,7 +387,7 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
     seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
-    rows = as_they_belong(at_desks(tuple(rows), brief, wanted), brief, wanted)
+    rows = without_runs(as_they_belong(at_desks(tuple(rows), brief, wanted), brief, wanted), brief, wanted)
     kept = [r for r in seats_at_tables(rows, brief, wanted) if not (r.subject in followers and r.type in DROPPED)]
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
@@ -442,6 +456,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         params = {"side": "right"} if kind == "side_against_wall" else {}
         yield Grounded(one.said.id, kind, one.leader.id, wall or None, params)
     focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
+    focus = focus or focus_in(one.said, brief, wanted)
     around = bool(focus) and focus[0].asked == one.said.around and not focus[0].wall
     if focus and (one.said.pattern == "circle" or (one.said.pattern == "semicircle" and around)):
         ahead = _middle_of(one)
@@ -458,7 +473,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
     elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
         offset = max(0.3, 0.3 * max(one.box))
-        gap = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+        gap: dict[str, object] = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
         outward = one.said.pattern == "u" and has_role(one.leader.category, "desk") and max(xs := _aheads(one)) <= 0.0
         if outward and min(xs) < 0.0:  # the open side is behind the desks
             ahead = min(xs) - one.leader.asset.size[1] / 2 - SEEN
@@ -468,6 +483,10 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
             yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
             return
         yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
+        if is_desk(one.leader.thing) and one.said.pattern in IN_ROWS:  # who sits there looks across its back
+            back = {"side": "back", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+            yield Grounded(one.said.id, "across_from", focus[0].id, one.leader.id, back)
+            return
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
     elif focus and one.said.pattern == "right_angle":
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})

@@ -13,6 +13,7 @@ from sceneweaver.knowledge.stations import own_on_wall
 from sceneweaver.language import Entity, SceneGraph
 
 from .draft import groups_of
+from .kitchen_runs import galley_spared
 from .written import roles_written
 
 GENERAL = (
@@ -165,6 +166,7 @@ def spared_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
     """The categories that stand in a room only for items whose place the request's own things take."""
     roles = roles_of(room_type, brief)
     spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
+    spared |= galley_spared(room_type, brief, roles)
     left = {name for item in room_type.items if item.id not in spared for name in item.what}
     return frozenset(name for item in room_type.items if item.id in spared for name in item.what) - left
 
