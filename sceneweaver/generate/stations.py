@@ -26,7 +26,7 @@ ROOM = 0.75
 NARROW = 0.5
 """Width [m] of a seat up to which neighbours have a usual gap: stools at a counter."""
 
-WITHIN = 0.06
+WITHIN = 0.1
 """Most distance [m] of what hangs from its place."""
 
 AT_HAND = (0.1, 0.35)
