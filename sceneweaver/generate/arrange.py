@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
@@ -473,7 +474,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
     elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
         offset = max(0.3, 0.3 * max(one.box))
-        gap: dict[str, object] = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+        before: dict[str, Any] = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
         outward = one.said.pattern == "u" and has_role(one.leader.category, "desk") and max(xs := _aheads(one)) <= 0.0
         if outward and min(xs) < 0.0:  # the open side is behind the desks
             ahead = min(xs) - one.leader.asset.size[1] / 2 - SEEN
@@ -482,7 +483,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
             at = {"ahead": round(ahead, 4), "left": left, "turn": 0.0, "offset": SEEN, "degrees": 20.0}
             yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
             return
-        yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
+        yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, before, hard=False)
         if is_desk(one.leader.thing) and one.said.pattern in IN_ROWS:  # who sits there looks across its back
             back = {"side": "back", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
             yield Grounded(one.said.id, "across_from", focus[0].id, one.leader.id, back)

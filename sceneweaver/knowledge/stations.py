@@ -43,7 +43,7 @@ class Said(Protocol):
 class Brief(Protocol):
     """A request."""
 
-    def entity(self, entity_id: str) -> Any: ...
+    def entity(self, name: str) -> Any: ...
 
 
 class OnWall(NamedTuple):

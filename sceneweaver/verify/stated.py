@@ -160,7 +160,8 @@ def worktop(body: Body) -> float:
         parts = body.item.parts
         if not parts:
             return body.z[1]
-        return body.z[0] + max(parts, key=lambda p: float(shapely.Polygon(p.polygon).area)).z[1]
+        largest = max(parts, key=lambda part: float(shapely.Polygon(part.polygon).area))
+        return body.item.pose.position[2] + largest.z[1]
     return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
 
 

@@ -12,7 +12,7 @@ from sceneweaver.knowledge.stations import own_on_floor, own_on_wall
 from sceneweaver.language import Entity, SceneGraph, StatedRelation
 
 
-def graph(*relations: tuple[Any, str, str], each: bool = False, **counts: int) -> SceneGraph:
+def graph(*relations: tuple[Any, str, str], each: bool = False, **counts: Any) -> SceneGraph:
     entities = tuple(Entity(id=name, noun=name, category=name, count=(n, n)) for name, n in counts.items())
     stated = tuple(StatedRelation(type=kind, subject=a, targets=(b,), each=each) for kind, a, b in relations)
     return SceneGraph(text="", entities=entities, relations=stated)
