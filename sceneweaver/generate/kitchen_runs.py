@@ -32,7 +32,7 @@ def in_two_runs(brief: SceneGraph, categories: Collection[str]) -> bool:
     units = [a for a in brief.arrangements if brief.entity(a.entity) is None]
     if any(a.pattern == "walls" or (a.pattern == "rows" and a.rows == 2) for a in units):
         return True
-    pieces = {e.id for e in brief.entities if e.category in categories}
+    pieces = {e.id for e in brief.entities if any(c == e.category or c.endswith(f"_{e.category}") for c in categories)}
     if any(r.type == "opposite" and r.targets and {r.subject, *r.targets} <= pieces for r in brief.relations):
         return True
     named = {r.targets[0].partition(":")[2] for r in brief.relations if r.subject in pieces and at_wall(r.targets)}

@@ -6,6 +6,7 @@ has keeps its place to it.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
 
 from sceneweaver.assets.roles import has_role
@@ -91,11 +92,15 @@ def as_they_belong(rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequence
         if not all(things[n].support is None for row in found for n in (row.subject, str(row.target)) if n in things):
             continue
         kept = [row for row in kept if row not in found]
+        hosts: list[str] = []
         for one, other in dict.fromkeys((row.subject, str(row.target)) for row in found):
             one, other = (one, other) if said.subject == pair.one else (other, one)
             kept += [
                 Grounded(said.id, place.type, one, other, dict(place.params), not place.soft) for place in pair.places
             ]
+            hosts += [other] if other not in hosts else []
+        # several alike that stand by themselves are not turned this way and that
+        kept += [Grounded(said.id, "aligned", b, a, {}, hard=False) for a, b in itertools.pairwise(hosts)]
     return kept
 
 

@@ -93,7 +93,7 @@ def own_on_floor(said: Said, brief: Brief) -> Pair | None:
     subject, target = brief.entity(said.subject), brief.entity(said.targets[0])
     if subject is None or target is None or {_mount(subject.category), _mount(target.category)} != {"floor"}:
         return None
-    if has_role(subject.category, "seated_at") or has_role(target.category, "seated_at"):
+    if _is_table(subject.category) or _is_table(target.category):
         return None
     for one, other in ((subject, target), (target, subject)):
         pair = Pair(one.id, other.id, place_with(one.category, other.category))
@@ -107,6 +107,10 @@ def _as_told(word: str, pair: Pair) -> bool:
     if word in ("near", "at"):
         return True
     return pair.frontal if word != "next_to" else not pair.frontal
+
+
+def _is_table(category: str) -> bool:
+    return has_role(category, "seated_at") and has_role(category, "pulled_up_to")
 
 
 def _mount(category: str) -> str:

@@ -82,6 +82,8 @@ def test_each_wheel_has_a_stool_of_its_own_right_before_it_in_any_room(
     at = hard(scene, "front_to_front", "stool")
     assert len({r.target for r in at}) == len({r.subject for r in at}) == 3
     assert all(r.params["gap"][1] <= 0.3 for r in at)
+    square = [r for r in scene.relations if r.type == "aligned" and r.subject.startswith("pottery_wheel")]
+    assert len(square) == 2 and not any(r.hard for r in square)
 
 
 def test_before_each_chair_of_a_row_hang_a_mirror_and_below_it_a_shelf(library: Library) -> None:
