@@ -46,8 +46,6 @@ def parted(brief: SceneGraph, pieces: Sequence[Wanted]) -> tuple[list[Wanted], l
     for said in brief.relations:
         others = [w for w in pieces if w.asked in said.targets]
         for one in (w for w in pieces if w.asked == said.subject and others and said.type == "opposite"):
-            if "side" in said.words and usual[others[0].id] == usual[one.id]:
-                continue  # both are on the side opposite the others
             side.setdefault(others[0].id, usual[others[0].id])
             side.setdefault(one.id, 1 - side[others[0].id])
     groups = {k: [side[w.id] for w in pieces if usual[w.id] == k and w.id in side] for k in (0, 1)}

@@ -11,6 +11,9 @@ from sceneweaver.language import SceneGraph
 WORDS = ("galley", "corridor")
 """Words of a kitchen that is set out so."""
 
+WASHED = ("sink", "dishwasher")
+"""Items of a run at which one washes: on one side; what one cooks at is on the other."""
+
 WALLS = frozenset(
     frozenset(pair) for pair in (("left", "right"), ("near", "far"), ("north", "south"), ("east", "west"))
 )
@@ -62,6 +65,25 @@ def galley_spared(room_type: RoomType, brief: SceneGraph, roles: dict[str, tuple
     return frozenset(gone)
 
 
+def sides_meant(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
+    """A request in which a unit "on the opposite side" is opposite the other run, and not opposite its own neighbour:
+    "sink and dishwasher one side, cooker and fridge opposite side"."""
+    units = run_categories(room_type)
+    if not in_two_runs(brief, units):
+        return brief
+    washed = {name for item in room_type.items if item.id in WASHED for name in item.what}
+    runs = {e.id: e.category in washed for e in brief.entities if e.category in units}
+    relations = list(brief.relations)
+    for k, said in enumerate(relations):
+        names = [name for name in (said.subject, *said.targets) if name in runs]
+        if said.type != "opposite" or "side" not in said.words or len(names) != 2 or runs[names[0]] != runs[names[1]]:
+            continue
+        other = next((name for name, wet in runs.items() if wet != runs[said.subject]), None)
+        if other is not None:
+            relations[k] = said.model_copy(update={"targets": (other,)})
+    return brief.model_copy(update={"relations": tuple(relations)})
+
+
 def at_wall(targets: Sequence[str]) -> bool:
     """Whether a relation is to a wall that is named."""
     return bool(targets) and targets[0].startswith("wall:")
@@ -71,4 +93,4 @@ def _in_corner(places: Sequence) -> bool:
     return any(place.type == "in_corner" for place in places)
 
 
-__all__ = ["at_wall", "galley_spared", "in_two_runs", "run_categories"]
+__all__ = ["at_wall", "galley_spared", "in_two_runs", "run_categories", "sides_meant"]

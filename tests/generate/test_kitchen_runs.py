@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.assets import Library
-from sceneweaver.generate.kitchen_runs import in_two_runs, run_categories
+from sceneweaver.generate.kitchen_runs import in_two_runs, run_categories, sides_meant
 from sceneweaver.generate.room import first_draft
 from sceneweaver.generate.setup import Setup
 from sceneweaver.knowledge import room_type
@@ -66,3 +66,11 @@ def test_other_kitchens_are_not_in_two_runs():
     assert not in_two_runs(kitchen(("next_to", "stove", "fridge")), units)
     assert not in_two_runs(kitchen(("against", "stove", "wall:left"), ("against", "fridge", "wall:left")), units)
     assert not in_two_runs(kitchen(room_words="galley kitchen"), ())
+
+
+def test_a_unit_on_the_opposite_side_is_opposite_the_other_run():
+    said = StatedRelation(type="opposite", subject="fridge", targets=("stove",), words="opposite side")
+    brief = kitchen(room_words="galley kitchen").model_copy(update={"relations": (said,)})
+    assert sides_meant(brief, room_type("kitchen")).relations[0].targets == ("sink_cabinet",)
+    across = said.model_copy(update={"targets": ("sink_cabinet",)})
+    assert sides_meant(brief.model_copy(update={"relations": (across,)}), room_type("kitchen")).relations == (across,)
