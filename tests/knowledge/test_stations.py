@@ -30,7 +30,7 @@ def graph(*relations: tuple[Any, str, str], each: bool = False, **counts: Any) -
         ([("behind", "plant_stand", "desk")], {"plant_stand": 1, "desk": 1}, None),
     ],
 )
-def test_sides_of_desks(relations: list[tuple[str, str, str]], counts: dict[str, int], side: str | None) -> None:
+def test_sides_of_desks(relations: list[tuple[str, str, str]], counts: dict[str, Any], side: str | None) -> None:
     brief = graph(*relations, **counts)
     found = desk_side(brief.relations[0], brief)
     assert (found.side if found is not None else None) == side
