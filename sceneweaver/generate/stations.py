@@ -63,9 +63,11 @@ def of_their_own(
         wanted: the objects to be.
         patterns: the rows, each as the entity and its things.
     """
-    rows = dict(patterns)
-    before = [(said, hung) for said, _, hung in _on_walls(brief, wanted)]
+    rows: dict[str, list[Wanted]] = {}
     for name, things in patterns:
+        rows.setdefault(name, []).extend(things)
+    before = [(said, hung) for said, _, hung in _on_walls(brief, wanted)]
+    for name, things in rows.items():
         own = [(said, hung) for said, hung in before if _seats_of(said, brief) == name]
         deep = max((one.asset.size[0] for _, hung in own for one in hung), default=0.0)
         for said, hung in own:
@@ -130,7 +132,7 @@ def beside(anchor: Wanted, one: Wanted, places: Sequence[Place], turn: int = 0) 
     low, high = gap if gap is not None else (0.0, min(float(place.params.get("max", 2 * AT_HAND[0])), 2 * AT_HAND[0]))
     mean = min((low + high) / 2, AT_HAND[1])
     if place.type in _SIDEWAYS:
-        return Spot(0.0, ((w + v) / 2 + mean) * (-1) ** turn, 0.0)
+        return Spot((e - d) / 2, ((w + v) / 2 + mean) * (-1) ** turn, 0.0)  # with the backs in line: by the pillow
     if place.type == "behind":
         return Spot(-(d + e) / 2 - mean, 0.0, 0.0)
     return Spot((d + e) / 2 + mean, 0.0, 180.0)

@@ -166,3 +166,12 @@ def test_a_lamp_on_a_bed_is_on_the_nightstand_that_goes_with_it() -> None:
     book = graph(told(bed=1, book=1), (said("on", "book", "bed"),))
     assert lamps_beside(book) == book
     assert category_named("table_lamp").mount[0] == "surface"
+
+
+def test_beds_at_two_walls_have_each_a_nightstand_of_its_own_by_the_pillow(library: Library) -> None:
+    walls = Arrangement(id="arrangement-0", entity="single_bed", pattern="walls", around="wall")
+    relations = (said("next_to", "nightstand", "single_bed", each=True, implied=True),)
+    scene = draft(graph(told(single_bed=2, nightstand=2), relations, arrangements=(walls,)), "hostel_dorm", library)
+    at = hard(scene, "arranged", "nightstand")
+    assert sorted(str(r.target) for r in at) == ["single_bed-0", "single_bed-1"]
+    assert all(float(r.params["ahead"]) < -0.5 for r in at)
