@@ -15,6 +15,8 @@ from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
 from sceneweaver.generate.draft import area_of
+from sceneweaver.generate.kitchen_runs import sides_meant
+from sceneweaver.generate.lamps import lamps_beside
 from sceneweaver.generate.look import in_time, suited
 from sceneweaver.generate.people import with_people
 from sceneweaver.generate.stands import with_stands
@@ -208,7 +210,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         with session.known_rooms(prompt):
             brief = in_time(session.read(offline, folder))
             room_type, remarks = chosen_room(brief, starting.kept.room)
-            brief = with_stands(with_people(brief, room_type), room_type)
+            brief = with_stands(with_people(sides_meant(lamps_beside(brief), room_type), room_type), room_type)
             there = session.in_tools, starting.model is not None
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, *there)}
             if starting.alone:

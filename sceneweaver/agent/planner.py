@@ -9,7 +9,7 @@ from typing import Any, Protocol, runtime_checkable
 
 from sceneweaver.assets import Library, resolve
 from sceneweaver.critic import Fault, Review
-from sceneweaver.generate.meant import decided_kinds
+from sceneweaver.generate.meant import decided_kinds, spared_kinds
 from sceneweaver.generate.quantity import is_plain
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
@@ -193,7 +193,8 @@ def _times_anew(memory: Memory) -> int:
 def _wanted(situation: Situation) -> list[Fault]:
     """The faults, without those that would add what is of a kind that the request names, beside what it asks for, what
     does not belong in such a room, or anything where little is wanted."""
-    named, kept = decided_kinds(situation.brief, situation.room_type), []
+    named = decided_kinds(situation.brief, situation.room_type) | spared_kinds(situation.brief, situation.room_type)
+    kept = []
     plain = is_plain(situation.brief)
     for fault in situation.review.faults if situation.review is not None else ():
         if plain and fault.tool in ADDING and fault.criterion != "alignment":

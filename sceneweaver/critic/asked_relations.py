@@ -10,7 +10,9 @@ from typing import NamedTuple
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.language import Exclusion, StatedRelation, Thing
+from sceneweaver.knowledge.desk_sides import desk_side
+from sceneweaver.knowledge.stations import AT_STATION, IN_REACH, OVER_STATION, own_on_floor, own_on_wall
+from sceneweaver.language import Exclusion, SceneGraph, StatedRelation, Thing
 from sceneweaver.language.model import ANYTHING
 from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.stated import Word, number, word_of_place, word_of_things
@@ -176,15 +178,19 @@ def _table(
 def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> dict[str, Verdict] | None:
     """Whether it holds of a subject for every instance of a target; None when it says nothing of such a target."""
     if survey.brief.entity(name) is not None:
-        word = word_of_things(said.type)
+        meant = desk_side(said, survey.brief)
+        word = word_of_things(_word_of(said, survey.brief))
         if word is None or not word.holds:
             return None
+        reach = word_of_things(IN_REACH) if own_on_floor(said, survey.brief) is not None else None
         found = {}
-        for other in in_order(survey.standing_for(name), said.nth):
+        for other in in_order(survey.standing_for(meant.desk if meant is not None else name), said.nth):
             if other is body:
                 continue
             if said.side is None:
                 verdict = _judged(survey, word, said, body, other)
+                if verdict.holds and reach is not None:
+                    verdict = _judged(survey, reach, said, body, other)
                 walls = _across_the_room(survey, body, other) if said.type == "opposite" and verdict.holds else None
                 found[other.id] = Verdict(False, walls) if walls is not None and not walls.ok() else verdict
                 continue
@@ -206,6 +212,16 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
     if name in ("ceiling", "floor"):
         return {name: _judged(survey, word, said, body, None)}
     return {segment.id: _judged(survey, word, said, body, segment) for segment in segments(survey, name)}
+
+
+def _word_of(said: StatedRelation, brief: SceneGraph) -> str:
+    """The word of ``rules/stated.yaml`` that is meant: of seats at desks and before mirrors it is their own."""
+    side, station = desk_side(said, brief), own_on_wall(said, brief)
+    if side is not None:
+        return side.side
+    if station is not None:
+        return AT_STATION if station.seats == said.subject else OVER_STATION
+    return said.type
 
 
 def in_order(bodies: Sequence[Body], nth: int) -> list[Body]:

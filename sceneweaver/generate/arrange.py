@@ -5,16 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.capacity import number
+from sceneweaver.knowledge.desk_sides import is_desk
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.language.model import Arrangement
 from sceneweaver.language.vocabulary import family
 from sceneweaver.scene import CATALOGUE, Room
 
+from .desk_sides import at_desks
 from .draft import area_of
+from .focus import BETWEEN, IN_ROWS, focus_in, focus_of
+from .galley import without_runs
 from .grid import PULL, group_of
 from .patterns import (
     Pitch,
@@ -33,11 +38,11 @@ from .patterns import (
     u_shape,
     upright,
 )
-from .places import SEATED, kept_clear, lined_at, seats_at_tables
+from .places import kept_clear, lined_at, means_at, seats_at_tables
 from .program import Wanted
 from .sights import turned_to_views
 from .stacks import rows_for
-from .stations import of_their_own, rows_before_walls
+from .stations import as_they_belong, hung_before, of_their_own, room_beside, rows_before_walls, with_their_own
 from .units import Unit, composed, front_way, side_way, told_between
 
 OFFSET = 0.03
@@ -137,8 +142,11 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
         elif said.pattern == "right_angle":
             found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
-            seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
-            pitch = _parted(_pitch(things[0], wanted, said, _spacing(said, brief), seats), said, things, wanted, brief)
+            seats = {r.subject for r in brief.relations if said.entity in r.targets and means_at(r)}
+            pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
+            if focus_of(said, brief) is not None:
+                pitch = _in_rows(pitch, things[0], wanted, seats)
+            pitch = _parted(_of_stations(pitch, said, things[0], wanted, brief), said, things, wanted, brief)
             found.append(_pattern(said, things, _spots(said, things, wanted, pitch, brief)))
     return found
 
@@ -238,7 +246,7 @@ def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
     if said.spacing is not None:
         return said.spacing
     gaps = [area for area in brief.free_areas if area.kind == "gap" and set(area.targets) == {said.entity}]
-    return gaps[0].size[0] if gaps else None
+    return gaps[0].size[0] + 2 * OFFSET if gaps else None  # that much at least, wherever each is within its play
 
 
 def _spots(
@@ -341,6 +349,27 @@ def _pitch(
     return Pitch(depth, width, beside, between)
 
 
+def _in_rows(pitch: Pitch, table: Wanted, wanted: Sequence[Wanted], seats: Collection[str]) -> Pitch:
+    """A pitch of tables in rows with seats on one side: who sits there needs floor behind, and none at the ends."""
+    if not table.thing.is_table:
+        return pitch
+    deep = max((w.asset.size[0] for w in wanted if w.asked in seats or w.parent is table), default=0.0)
+    depth, width, _ = table.asset.size
+    return Pitch(depth + deep, width, pitch.beside, BETWEEN) if deep else pitch
+
+
+def _of_stations(pitch: Pitch, said: Arrangement, one: Wanted, wanted: Sequence[Wanted], brief: SceneGraph) -> Pitch:
+    """A pitch with room for what each thing has for its own, and for the floor that stays free around each."""
+    depth, width = with_their_own(one, brief, wanted)
+    beside = max(pitch.beside, room_beside(one, brief, wanted)) if said.pitch is None else pitch.beside
+    free = [area.size[0] for area in brief.free_areas if area.kind == "clearance" and said.entity in area.targets]
+    clear = max(free, default=0.0) + (2 * OFFSET if free else 0.0)
+    more = max(0.0, width - pitch.width) if said.pitch is None else 0.0
+    return Pitch(
+        max(pitch.depth, depth), pitch.width + more, max(beside - more, clear - more, 0.0), max(pitch.between, clear)
+    )
+
+
 def _radius(said: Arrangement, wanted: Sequence[Wanted]) -> float:
     """How far [m] from the middle of a circle the fronts are, for what stands in it."""
     inner = [w for w in wanted if said.around and w.asked == said.around]
@@ -359,9 +388,8 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
     seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
-    kept = [
-        r for r in seats_at_tables(tuple(rows), brief, wanted) if not (r.subject in followers and r.type in DROPPED)
-    ]
+    rows = without_runs(as_they_belong(at_desks(tuple(rows), brief, wanted), brief, wanted), brief, wanted)
+    kept = [r for r in seats_at_tables(rows, brief, wanted) if not (r.subject in followers and r.type in DROPPED)]
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
@@ -429,6 +457,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         params = {"side": "right"} if kind == "side_against_wall" else {}
         yield Grounded(one.said.id, kind, one.leader.id, wall or None, params)
     focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
+    focus = focus or focus_in(one.said, brief, wanted)
     around = bool(focus) and focus[0].asked == one.said.around and not focus[0].wall
     if focus and (one.said.pattern == "circle" or (one.said.pattern == "semicircle" and around)):
         ahead = _middle_of(one)
@@ -445,7 +474,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
     elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
         offset = max(0.3, 0.3 * max(one.box))
-        gap = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+        before: dict[str, Any] = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
         outward = one.said.pattern == "u" and has_role(one.leader.category, "desk") and max(xs := _aheads(one)) <= 0.0
         if outward and min(xs) < 0.0:  # the open side is behind the desks
             ahead = min(xs) - one.leader.asset.size[1] / 2 - SEEN
@@ -454,7 +483,11 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
             at = {"ahead": round(ahead, 4), "left": left, "turn": 0.0, "offset": SEEN, "degrees": 20.0}
             yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
             return
-        yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
+        yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, before, hard=False)
+        if is_desk(one.leader.thing) and one.said.pattern in IN_ROWS:  # who sits there looks across its back
+            back = {"side": "back", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+            yield Grounded(one.said.id, "across_from", focus[0].id, one.leader.id, back)
+            return
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
     elif focus and one.said.pattern == "right_angle":
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
@@ -597,7 +630,8 @@ def _units_fit(units: Sequence[Unit], short: float, long: float) -> bool:
 
 
 def hung(brief: SceneGraph, wanted: Sequence[Wanted]) -> None:
-    """Gives what hangs in rows one above the other its wall and its height."""
+    """Gives what hangs in rows one above the other, and before seats, its wall and its height."""
+    hung_before(brief, wanted)
     for said in brief.arrangements:
         things = [w for w in wanted if w.asked == said.entity]
         if not said.upright or len(things) < 2:

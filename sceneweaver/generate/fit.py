@@ -8,8 +8,11 @@ from dataclasses import dataclass, replace
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Relation, Room
 
+from .galley import galley_runs
+from .kitchen_runs import in_two_runs
 from .program import Program, Wanted
 from .run import (
     JOINT,
@@ -35,7 +38,9 @@ POOR = 0.5
 """How badly a run may stand in a shell that another one would not take the place of."""
 
 
-def fitted(program: Program, free: Sequence[Wanted], room: Room, library: Library) -> tuple[list[Variant], float]:
+def fitted(
+    program: Program, free: Sequence[Wanted], room: Room, library: Library, brief: SceneGraph
+) -> tuple[list[Variant], float]:
     """Fit the bodies of a program: the units of a run to the room, what spans something to that.
 
     Of a run with a corner unit, what is no more than usual is left out until it goes around a corner; where it never
@@ -46,12 +51,14 @@ def fitted(program: Program, free: Sequence[Wanted], room: Room, library: Librar
         free: what may stand in a run, as the request gives it no other place.
         room: the empty room.
         library: draws bodies of other widths.
+        brief: the request, which may set the units out in two runs.
 
     Returns:
         The relations of the ways around corners of the room, the best way first; empty where the run has no corner. And
         what speaks against the best [m off the middle of a window]: 0 without a corner unit, infinite without a place.
     """
     pieces = run_of(free)
+    galley = len(pieces) > 1 and in_two_runs(brief, {one.category for one in pieces})
     corner = next((one for one in pieces if has_place(one, "in_corner")), None)
     runs = corner_runs(pieces, room)
     spare = [one for one in pieces if one.rank >= 2 and one is not corner and one.asked is None]
@@ -69,6 +76,8 @@ def fitted(program: Program, free: Sequence[Wanted], room: Room, library: Librar
     for one in program.wanted:
         if one.item is not None and one.item.spans is not None and one.parent is not None and one.asked is None:
             _widen(one, one.item.spans * one.parent.asset.size[1], library)
+    if galley:
+        return galley_runs(brief, run_of([one for one in free if one in program.wanted]), room)
     if not runs:
         return [], 0.0 if corner is None else math.inf
     hung = CornerCabinets.of(program.wanted, runs[0])

@@ -9,9 +9,11 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, kin, other_meanings
-from sceneweaver.language import Entity, SceneGraph, StatedRelation
+from sceneweaver.knowledge.stations import own_on_wall
+from sceneweaver.language import Entity, SceneGraph
 
 from .draft import groups_of
+from .kitchen_runs import galley_spared
 from .written import roles_written
 
 GENERAL = (
@@ -157,32 +159,24 @@ def places_spared(
     return frozenset(spared | {item.id for item in room_type.items if item.with_ in spared})
 
 
-BEFORE = ("in_front_of", "facing", "at", "opposite")
-"""Stated relations of a seat to what hangs on the wall before it."""
-
-
-def own_on_wall(said: StatedRelation, brief: SceneGraph) -> bool:
-    """Whether a statement gives each of several seats something of its own on a wall: a mirror."""
-    if said.type not in BEFORE or not said.each or len(said.targets) != 1:
-        return False
-    seat, hung = brief.entity(said.subject), brief.entity(said.targets[0])
-    return (
-        seat is not None
-        and hung is not None
-        and "seating" in groups_of(seat.category)
-        and category_named(hung.category).mount[0] == "wall"
-    )
-
-
 def stations_spared(room_type: RoomType, brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
     """What seats of a room usually stand at, where those of the request have a place of their own: each its mirror."""
-    own = {said.subject for said in brief.relations if own_on_wall(said, brief)}
+    own = {station.seats for said in brief.relations if (station := own_on_wall(said, brief)) is not None}
     seats = {name for one in own for name in roles.get(one, ())}
     taken = {name for items in roles.values() for name in items}
     hosts = {room_type.item(name).with_ for name in seats} | {
         item.id for item in room_type.items if item.with_ in seats and not {*groups_of(item.what[0])} & {"lighting"}
     }
     return frozenset(name for name in hosts if name and name not in taken)
+
+
+def spared_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
+    """The categories that stand in a room only for items whose place the request's own things take."""
+    roles = roles_of(room_type, brief)
+    spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
+    spared |= galley_spared(room_type, brief, roles)
+    left = {name for item in room_type.items if item.id not in spared for name in item.what}
+    return frozenset(name for item in room_type.items if item.id in spared for name in item.what) - left
 
 
 def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:

@@ -13,6 +13,7 @@ from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.language.model import Arrangement, StatedRelation
 from sceneweaver.scene import CATALOGUE
 
+from .focus import faced_from
 from .program import Wanted
 from .seats import ELBOW, own_side
 
@@ -51,6 +52,8 @@ def seats_at_tables(rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequenc
         ids = {seat.id: said for seat, said in seats}
         kept = [r for r in kept if not (r.subject in ids and r.target == table.id and r.type in TOLD)]
         closed = _closed(table, rows, brief)
+        if faced_from(table, brief):  # all look the same way, across their tables
+            closed = frozenset(("front", "left", "right"))
         if any(seat.asked in lined for seat, _ in seats):
             closed = frozenset(_OTHERS)
         placed = list(shared_out(table, [seat for seat, _ in seats], closed))
@@ -113,6 +116,11 @@ def _means_at(said: StatedRelation, seat: Wanted, table: Wanted) -> bool:
         return False
     if table.mount != "floor" or not table.thing.is_table or not has_role(table.category, "seated_at"):
         return False
+    return means_at(said)
+
+
+def means_at(said: StatedRelation) -> bool:
+    """Whether a statement of a seat and a table means that it is at it."""
     return said.type in SEATED or (said.type in BESIDE and said.implied)
 
 
@@ -184,4 +192,4 @@ def _counts(table: Wanted, seats: Sequence[Wanted], count: int, closed: Collecti
     return {side: number for side, number in found.items() if number}
 
 
-__all__ = ["SEATED", "kept_clear", "lined_at", "seats_at_tables", "shared_out"]
+__all__ = ["SEATED", "kept_clear", "lined_at", "means_at", "seats_at_tables", "shared_out"]

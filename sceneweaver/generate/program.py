@@ -21,6 +21,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
+from .kitchen_runs import galley_spared
 from .meant import (
     decided_kinds,
     desks_spared,
@@ -190,7 +191,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     sat_at = _sat_at_items(brief, roles)
     spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
-    spared |= places_spared(room_type, brief, roles, area, people)
+    spared |= places_spared(room_type, brief, roles, area, people) | galley_spared(room_type, brief, roles)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     stated = cramped and (brief.area is not None or brief.size is not None) and len(asked) >= SOME

@@ -44,6 +44,10 @@ TOGETHER = (CATALOGUE.with_role("placing") | CATALOGUE.with_role("turning") | {"
 BEHIND_IT = frozenset(("behind", "around"))
 """Types whose target stands free of the walls."""
 
+FREE_STANDING = _EDGE | {"facing_door"}
+"""What a room says of things that does not hold for those which have something asked for behind them: a desk with
+visitors there looks away from the door, as its owner looks at it."""
+
 CLOSE = 0.1
 """Gap [m] between the pieces of a run that are wanted close to each other."""
 
@@ -365,9 +369,9 @@ def of_brief(
         if isinstance(row.target, str) and row.target.partition(":")[2] in PARTS:  # an alcove has room for it alone
             replaced |= CONFLICTS["arranged"] | TOGETHER
         placed[row.subject] = placed.get(row.subject, frozenset()) | replaced
-        if relation.type in BEHIND_IT:
+        if relation.type in BEHIND_IT or (relation.type == "seated_at" and relation.params.get("side") == "back"):
             for target in relation.targets:
-                placed[target] = placed.get(target, frozenset()) | _EDGE
+                placed[target] = placed.get(target, frozenset()) | FREE_STANDING
     return _without_doubles(found), placed, unmet
 
 

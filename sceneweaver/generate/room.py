@@ -202,7 +202,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
             floor.area, floor.shrinks = max(needed, min(floor.least, floor.area)), False
             continue
         rows = rows_of(brief, program.wanted)
-        corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)
+        corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library, brief)
         suits = cost < POOR and walls_hold(space, program.wanted) and may_hold(space, program.wanted, rows)
         if suits or drawn == SHELLS or setup.room is not None or hurried():
             return _Attempt(space, program, rows, corners, remarks)

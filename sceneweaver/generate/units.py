@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from sceneweaver.assets.roles import has_role
+from sceneweaver.knowledge.desk_sides import desk_side
 from sceneweaver.language import SceneGraph, StatedRelation
 from sceneweaver.language.vocabulary import family
 
@@ -286,6 +287,8 @@ def _facing(plan: _Plan, said: StatedRelation) -> None:
     both = (r for r in plan.brief.relations if (r.subject, r.targets) == (said.subject, said.targets))
     if any(r.type in ("next_to", "near", "left_of", "right_of", "behind") for r in both):
         return  # it is told to be elsewhere as well
+    if desk_side(said, plan.brief) is not None:
+        return  # the desk is between them
     if not ones or not twos or plan.together(ones[0], twos[0]):
         return
     seats = all(family(one.category) == "seat" for one in (*ones, *twos))

@@ -153,12 +153,19 @@ def off_front(body: Body, point: tuple[float, float], way: float = 1.0) -> float
 
 def worktop(body: Body) -> float:
     """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it; under a
-    rack of tools the highest that there is."""
+    rack of tools the highest that there is; that of its largest part where nothing is put on it, such as a sewing table
+    without its machine."""
     import shapely
 
     open_ = [s for s in body.item.surfaces if s.headroom is None]
     if not open_:
-        return body.z[0] + max((s.z for s in body.item.surfaces), default=body.z[1] - body.z[0])
+        if body.item.surfaces:
+            return body.z[0] + max(s.z for s in body.item.surfaces)
+        parts = body.item.parts
+        if not parts:
+            return body.z[1]
+        largest = max(parts, key=lambda part: float(shapely.Polygon(part.polygon).area))
+        return body.item.pose.position[2] + largest.z[1]
     return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
 
 
