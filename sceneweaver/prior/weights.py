@@ -1,16 +1,15 @@
-"""Files of weights: each matrix in 8 bits with a scale for each of its columns."""
+"""The file of the prior's weights: what they are for and in what shape."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from sceneweaver.io import InputError, read_arrays, write_atomic
+from sceneweaver.io import InputError
+from sceneweaver.io.weights import read_weights, write_weights
 
 from .network import Shape, layout_of
 from .vocabulary import Words
@@ -25,13 +24,7 @@ def save_weights(
 ) -> None:
     """Write weights as 8-bit numbers, with the names they are for and what is said of them (JSON data)."""
     header = {"schema": SCHEMA, "shape": shape.to_json(), "words": words.to_json(), "about": dict(about)}
-    arrays = {"header": np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)}
-    for name, value in weights.items():
-        number, scale = quantised(np.asarray(value, dtype=np.float32))
-        arrays[f"q.{name}"], arrays[f"s.{name}"] = number, scale
-    file = BytesIO()
-    np.savez_compressed(file, **arrays)  # pyright: ignore[reportArgumentType]
-    write_atomic(path, file.getvalue())
+    write_weights(path, weights, header)
 
 
 def load_weights(path: Path) -> tuple[dict[str, np.ndarray], Shape, Words, dict[str, Any]]:
@@ -40,25 +33,14 @@ def load_weights(path: Path) -> tuple[dict[str, np.ndarray], Shape, Words, dict[
     Raises:
         InputError: the file is missing, damaged, or something else.
     """
-    arrays = read_arrays(path, max_bytes=MOST)
+    weights, header = read_weights(path, "a prior", SCHEMA, MOST)
     try:
-        header = json.loads(arrays["header"].tobytes())
-        if header["schema"] != SCHEMA:
-            raise ValueError(header["schema"])
         shape, words = Shape(**header["shape"]), Words.from_json(header["words"])
         wanted = layout_of(shape)
-        weights = {name: arrays[f"q.{name}"].astype(np.float32) * arrays[f"s.{name}"] for name in wanted}
         wrong = [name for name, size in wanted.items() if weights[name].shape != size]
+        about = dict(header["about"])
     except (KeyError, TypeError, ValueError) as error:
         raise InputError(f"{path}: no weights of a prior ({SCHEMA}); take a file that sceneweaver wrote") from error
-    if wrong or not all(np.isfinite(value).all() for value in weights.values()):
+    if wrong:
         raise InputError(f"{path}: weights are damaged; take the file that ships with sceneweaver")
-    return weights, shape, words, dict(header["about"])
-
-
-def quantised(value: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """8-bit numbers and scales: of each column of a matrix, and of vectors 16-bit floating point as it is."""
-    if value.ndim < 2:
-        return value.astype(np.float16), np.ones((), dtype=np.float32)
-    scale = np.maximum(np.abs(value).max(axis=0), 1e-12).astype(np.float32) / 127.0
-    return np.clip(np.round(value / scale), -127, 127).astype(np.int8), scale
+    return {name: weights[name] for name in wanted}, shape, words, about
