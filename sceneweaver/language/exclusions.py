@@ -203,7 +203,9 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
         state.out.without.append((phrase.text, kinds_unwanted(phrase.text), span))
     elif phrase.what == "place":
         listed = phrase.value == "door" and not _NO.search(state.source.text, 0, phrase.start)
-        if listed:  # "no mirrors, doors painted red": a room without a door is one of which just this is said
+        if listed or (phrase.determiner == "the" and "not" in state.negation):
+            # "no mirrors, doors painted red": a room without a door is one of which just this is said; "a shelf behind
+            # me, not the door" is about a door that is there
             state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
         elif not any(one.part == phrase.value for one in state.out.stated_openings):
             state.out.openings[str(phrase.value)] = 0

@@ -8,6 +8,8 @@ from .asides import without_asides
 from .chunker import chunked
 from .clauses import read_clauses
 from .graph import build
+from .learned.analysis import analyse
+from .learned.completing import complete
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
 from .parts_of_speech import with_parts_of_speech
@@ -31,15 +33,35 @@ FEW = 0.08
 def read_request(text: str) -> SceneGraph:
     """What a request says. What is not understood is listed, what is assumed is noted; nothing is lost.
 
+    The rules of ``lexicon/`` read first. Where things are and what stays free that no rule read is taken from the
+    learned analysis (`learned`), if the request is in English.
+
     Raises:
         InputError: when there is nothing to read, or more than `source.MOST` characters.
     """
-    check_text(text)
+    return _read(text, learned=True)
+
+
+def read_by_rules(text: str) -> SceneGraph:
+    """What the rules alone read of a request; see `read_request`."""
+    return _read(text, learned=False)
+
+
+def parsed_by_rules(text: str) -> tuple[Source, Parsed]:
+    """What the rules read of a text, before it has the form of a graph."""
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
     for read in STATEMENTS:
         read(source, parsed)
     read_clauses(chunked(_at_their_places(tokens(source, parsed.notes))), source, parsed)
+    return source, parsed
+
+
+def _read(text: str, learned: bool) -> SceneGraph:
+    check_text(text)
+    source, parsed = parsed_by_rules(text)
+    if learned and source.language == "en":
+        complete(parsed, source, text, analyse(text, parsed), lambda sentence: parsed_by_rules(sentence)[1])
     furnish_zones(parsed)
     _sides(parsed, source)
     for note in source.notes:

@@ -12,8 +12,9 @@ import pytest
 from benchmarks.families.requests import requests
 from benchmarks.room_requests import SETS, room_requests
 from sceneweaver.assets.plurals import singular
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
 from sceneweaver.language.coverage import function_words
+from sceneweaver.language.read import read_request
 from sceneweaver.language.vocabulary import vocabulary, words
 
 SHARED = Path(__file__).parents[3] / "shared" / "requests" / "dev.jsonl"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.told_states import colors_as_told
 
 SAID = [
@@ -24,7 +24,7 @@ SAID = [
 
 @pytest.mark.parametrize(("text", "category", "wanted"), SAID)
 def test_a_look_is_of_its_thing(text, category, wanted):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (entity,) = [e for e in graph.entities if e.category == category]
     assert [(a.kind, a.value, a.count) for a in entity.attributes] == wanted
     assert not graph.unread
@@ -33,7 +33,7 @@ def test_a_look_is_of_its_thing(text, category, wanted):
 
 @pytest.mark.parametrize("text", ["a den with walls in pale blue", "a den, blue, white and airy"])
 def test_colours_of_rooms_are_of_no_thing(text):
-    assert not read_request(text).entities
+    assert not read_by_rules(text).entities
 
 
 @pytest.mark.parametrize(
@@ -45,12 +45,12 @@ def test_colours_of_rooms_are_of_no_thing(text):
     ],
 )
 def test_things_have_several_colors_between_them(text, category, colors):
-    entity = read_request(text).entity(category)
+    entity = read_by_rules(text).entity(category)
     assert entity is not None and entity.color is None
     (told,) = [found for one in entity.attributes if (found := colors_as_told(one))]
     assert told[:3] == colors
 
 
 def test_the_colors_of_a_team_are_the_rooms():
-    brief = read_request("a den in the club colours orange and navy, a sofa")
+    brief = read_by_rules("a den in the club colours orange and navy, a sofa")
     assert brief.colors == ("orange", "navy") and [e.category for e in brief.entities] == ["sofa"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 SAID = [
     ("Kitchen: counter, microwave + kettle on it, fridge next to it", ("microwave", "on", "kitchen_counter")),
@@ -18,14 +18,14 @@ SAID = [
 
 @pytest.mark.parametrize(("text", "relation"), SAID)
 def test_relations(text, relation):
-    assert relation in {(r.subject, r.type, *r.targets) for r in read_request(text).relations}
+    assert relation in {(r.subject, r.type, *r.targets) for r in read_by_rules(text).relations}
 
 
 def test_a_noun_without_article_that_was_named_is_no_other_thing():
-    entities = read_request("A poster over the desk, desk with two chairs.").entities
+    entities = read_by_rules("A poster over the desk, desk with two chairs.").entities
     assert [e.category for e in entities] == ["poster", "desk", "chair"]
 
 
 def test_what_is_beside_a_full_thing_is_not_in_it():
-    graph = read_request("A kitchen with a sink full of dishes, a bin by the door.")
+    graph = read_by_rules("A kitchen with a sink full of dishes, a bin by the door.")
     assert {r.subject for r in graph.relations if r.type == "inside"} == {"plate"}

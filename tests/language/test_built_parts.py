@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def _said(text: str) -> list[tuple[str, str, tuple[str, ...]]]:
-    return [(said.subject, said.type, said.targets) for said in read_request(text).relations]
+    return [(said.subject, said.type, said.targets) for said in read_by_rules(text).relations]
 
 
 @pytest.mark.parametrize(
@@ -34,19 +34,19 @@ def test_places_of_built_parts(text: str, said: tuple[str, str, tuple[str, ...]]
 
 
 def test_a_part_that_is_only_named_is_asked_for() -> None:
-    graph = read_request("a lounge with a chimney breast, shelves in the alcoves either side of it")
+    graph = read_by_rules("a lounge with a chimney breast, shelves in the alcoves either side of it")
     assert [(one.part, one.count) for one in graph.openings] == [("breast", 1), ("niche", 2)]
-    assert read_request("a lounge without an alcove").openings == ()
+    assert read_by_rules("a lounge without an alcove").openings == ()
 
 
 def test_a_low_wall_is_no_wall_of_the_room() -> None:
-    graph = read_request("an office with a low wall 1.1 m high")
+    graph = read_by_rules("an office with a low wall 1.1 m high")
     assert graph.height is None
     assert [(e.category, e.size[2]) for e in graph.entities] == [("low_wall", 1.1)]
 
 
 def test_slopes_are_told_with_what_they_are_said_of() -> None:
-    (slope,) = read_request("an attic room, a chest is under the eaves").openings
+    (slope,) = read_by_rules("an attic room, a chest is under the eaves").openings
     assert (slope.part, slope.words) == ("slope", "under the eaves")
 
 
@@ -61,4 +61,4 @@ def test_slopes_are_told_with_what_they_are_said_of() -> None:
     ],
 )
 def test_what_no_room_has_is_told(text: str, part: str, count: int) -> None:
-    assert [(one.part, one.count) for one in read_request(text).openings] == [(part, count)]
+    assert [(one.part, one.count) for one in read_by_rules(text).openings] == [(part, count)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 MOST = 12
 
@@ -19,7 +19,7 @@ MOST = 12
     ],
 )
 def test_a_few_stand_for_all_on_their_support(text: str, category: str, support: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     made = [entity for entity in graph.entities if entity.implied]
     assert category in {entity.category for entity in made}
     assert sum(entity.count[1] for entity in made if entity.count) <= MOST
@@ -27,12 +27,12 @@ def test_a_few_stand_for_all_on_their_support(text: str, category: str, support:
 
 
 def test_a_number_is_shared_among_the_kinds() -> None:
-    made = [entity for entity in read_request("a nursery with nine toys on the rug").entities if entity.implied]
+    made = [entity for entity in read_by_rules("a nursery with nine toys on the rug").entities if entity.implied]
     assert len(made) > 1
     assert sum(entity.count[0] for entity in made if entity.count) == 9
 
 
 def test_what_holds_them_is_none_of_them() -> None:
-    graph = read_request("an office with office supplies in the drawer")
+    graph = read_by_rules("an office with office supplies in the drawer")
     names = {entity.id for entity in graph.entities}
     assert all(r.type == "near" for r in graph.relations if {r.subject, *r.targets} <= names)

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.language import read_request
 from sceneweaver.language.coverage import function_words
+from sceneweaver.language.read import read_by_rules
 
 NONSENSE = ("glorp", "wuffled", "zindering", "quaxly", "brenthic")
 
@@ -17,7 +17,7 @@ NONSENSE = ("glorp", "wuffled", "zindering", "quaxly", "brenthic")
 def test_a_word_of_no_meaning_is_told_wherever_it_stands(word: str, at: int) -> None:
     spoken = ["a", "quiet", "study", "with", "an", "oak", "desk", "by", "the", "window", "and", "two", "lamps"]
     text = " ".join([*spoken[:at], word, *spoken[at:]])
-    graph = read_request(text)
+    graph = read_by_rules(text)
     told = " ".join(unread.words for unread in graph.unread) + " ".join(entity.noun for entity in graph.entities)
     said = " ".join(a.words for entity in graph.entities for a in entity.attributes)
     assert word in told or word in said or word in graph.room_words, graph
@@ -32,14 +32,14 @@ def test_a_word_of_no_meaning_is_told_wherever_it_stands(word: str, at: int) -> 
     ],
 )
 def test_what_nothing_accounts_for_is_unread(text: str, word: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     spans = [unread.span for unread in graph.unread if unread.span is not None]
     read = " ".join(a.words + e.noun for e in graph.entities for a in e.attributes) + " ".join(map(str, graph.entities))
     assert any(word in text[span.start : span.end].lower() for span in spans) or word in read
 
 
 def test_what_was_understood_is_not_unread() -> None:
-    graph = read_request("a bedroom of 4 x 3.5 m with a bed, two oak nightstands beside it and a lamp on each")
+    graph = read_by_rules("a bedroom of 4 x 3.5 m with a bed, two oak nightstands beside it and a lamp on each")
     assert graph.unread == ()
 
 
@@ -48,7 +48,7 @@ def test_grammar_needs_no_account() -> None:
 
 
 def test_a_noun_of_which_only_the_head_is_known_says_which_words_are_lost() -> None:
-    graph = read_request("a room with a zeppelin table and a round table")
+    graph = read_by_rules("a room with a zeppelin table and a round table")
     assert [entity.unnamed for entity in graph.entities] == [("zeppelin",), ()]
 
 
@@ -63,12 +63,12 @@ def test_a_noun_of_which_only_the_head_is_known_says_which_words_are_lost() -> N
     ],
 )
 def test_how_a_thing_is_somewhere_needs_no_account_where_it_was_read_where(text: str, lost: list[str]) -> None:
-    assert [unread.words for unread in read_request(text).unread] == lost
+    assert [unread.words for unread in read_by_rules(text).unread] == lost
 
 
 @pytest.mark.parametrize("verb", ["anchors", "grounds", "crowns", "transforms"])
 def test_what_a_thing_does_to_the_room_is_no_name_of_it(verb: str) -> None:
-    graph = read_request(f"A velvet sofa {verb} the room, facing a TV.")
+    graph = read_by_rules(f"A velvet sofa {verb} the room, facing a TV.")
     assert graph.room_words == "" and [entity.category for entity in graph.entities] == ["sofa", "tv"]
 
 
@@ -84,23 +84,23 @@ def test_what_a_thing_does_to_the_room_is_no_name_of_it(verb: str) -> None:
     ],
 )
 def test_what_is_in_a_vessel_is_told_where_its_drawing_does_not_show_it(text: str, noun: str, untold: set[str]) -> None:
-    thing = next(entity for entity in read_request(text).entities if entity.category == noun)
+    thing = next(entity for entity in read_by_rules(text).entities if entity.category == noun)
     assert set(thing.unnamed) == untold
 
 
 @pytest.mark.parametrize("quality", ["fresh", "wilted", "ripe", "different", "wet"])
 def test_a_quality_of_what_is_in_a_vessel_is_told(quality: str) -> None:
-    assert quality in {left.words for left in read_request(f"a hall with a vase of {quality} tulips").unread}
+    assert quality in {left.words for left in read_by_rules(f"a hall with a vase of {quality} tulips").unread}
 
 
 @pytest.mark.parametrize("word", ["of", "please", "put", "and", "good"])
 def test_words_that_link_are_no_qualities(word: str) -> None:
-    graph = read_request(f"a hall with a mirror and {word} a bench of oak")
+    graph = read_by_rules(f"a hall with a mirror and {word} a bench of oak")
     assert word not in {a.words for entity in graph.entities for a in entity.attributes}
 
 
 @pytest.mark.parametrize("verb", ["casting", "giving", "providing", "emitting", "spreading", "throwing"])
 @pytest.mark.parametrize("given", ["light", "warm light", "heat"])
 def test_what_a_thing_gives_off_is_no_other_thing(verb: str, given: str) -> None:
-    graph = read_request(f"a study with a floor lamp {verb} {given} and a bench")
+    graph = read_by_rules(f"a study with a floor lamp {verb} {given} and a bench")
     assert {entity.category for entity in graph.entities} == {"floor_lamp", "bench"}

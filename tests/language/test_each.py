@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 from tests.language.graphs import consistent
 
 
@@ -107,21 +108,21 @@ COUNTED = [
 
 @pytest.mark.parametrize(("text", "count", "each"), COUNTED, ids=[text for text, *_ in COUNTED])
 def test_each_has_its_own(text, count, each):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     consistent(graph)
     assert counts(graph) == count
     assert each <= apiece(graph)
 
 
 def test_some_of_those_that_were_named_are_at_each():
-    graph = read_request("Three beds, three nightstands (one next to each bed), a wardrobe.")
+    graph = read_by_rules("Three beds, three nightstands (one next to each bed), a wardrobe.")
     assert counts(graph) == {"bed": 3, "nightstand": 3, "wardrobe": 1}
     (said,) = (r for r in graph.relations if r.subject == "nightstand")
     assert (said.type, said.count, said.each) == ("next_to", (1, 1), True)
 
 
 def test_a_place_said_first_may_follow_a_list():
-    graph = read_request("A hallway with a console table, over it a mirror.")
+    graph = read_by_rules("A hallway with a console table, over it a mirror.")
     assert ("wall_mirror", "above", "console_table") in {(r.subject, r.type, *r.targets) for r in graph.relations}
 
 
@@ -133,7 +134,7 @@ def test_a_place_said_first_may_follow_a_list():
     ],
 )
 def test_places_are_no_things_and_have_what_is_told_of_each(text):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert sorted(counts(graph).values()) == [3, 3, 3]
     stool = next(e.id for e in graph.entities if "stool" in e.category)
     others = {e.id for e in graph.entities} - {stool}
@@ -141,17 +142,17 @@ def test_places_are_no_things_and_have_what_is_told_of_each(text):
 
 
 def test_what_each_working_place_has_is_counted():
-    assert sorted(counts(read_request("Three working places. Each place has a stool and a lamp")).values()) == [3, 3]
+    assert sorted(counts(read_by_rules("Three working places. Each place has a stool and a lamp")).values()) == [3, 3]
 
 
 def test_places_that_have_nothing_are_told_as_not_understood():
-    graph = read_request("A table with six places")
+    graph = read_by_rules("A table with six places")
     assert [e.category for e in graph.entities] == ["dining_table"]
     assert any("places" in u.words for u in graph.unread)
 
 
 def test_a_list_of_each_ends_with_its_and():
-    graph = read_request("A den with two desks, each with a lamp, a chair and a bin, a sofa and a rug")
+    graph = read_by_rules("A den with two desks, each with a lamp, a chair and a bin, a sofa and a rug")
     assert counts(graph) == {"desk": 2, "table_lamp": 2, "chair": 2, "trash_can": 2, "sofa": 1, "rug": 1}
 
 
@@ -164,11 +165,11 @@ def test_a_list_of_each_ends_with_its_and():
     ],
 )
 def test_where_each_begins_and_ends(text, count):
-    assert sorted(counts(read_request(text)).values()) == sorted(count.values())
+    assert sorted(counts(read_by_rules(text)).values()) == sorted(count.values())
 
 
 def test_what_each_has_ends_after_its_last_item() -> None:
-    graph = read_request("call centre: 5 desks, each has a phone and two chairs, 3 armchairs, a sofa")
+    graph = read_by_rules("call centre: 5 desks, each has a phone and two chairs, 3 armchairs, a sofa")
     counts = {entity.category: entity.count for entity in graph.entities}
     assert (counts["phone"], counts["chair"]) == ((5, 5), (10, 10))
     assert (counts["armchair"], counts["sofa"]) == ((3, 3), (1, 1))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
 from sceneweaver.language.model import ANYTHING
+from sceneweaver.language.read import read_by_rules
 
 ELSEWHERE = [
     ("a den with a piano. The piano must not stand in front of the window.", "upright_piano", "in_front_of", "window"),
@@ -21,7 +21,7 @@ BANNED_THERE = [
 
 @pytest.mark.parametrize(("text", "subject", "relation", "target"), ELSEWHERE)
 def test_what_must_not_be_in_one_place_is_wanted_elsewhere(text, subject, relation, target):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.entity(subject) is not None
     assert graph.without == ()
     assert [(x.subject, x.relation, x.targets) for x in graph.exclusions] == [(subject, relation, (target,))]
@@ -30,7 +30,7 @@ def test_what_must_not_be_in_one_place_is_wanted_elsewhere(text, subject, relati
 
 @pytest.mark.parametrize(("text", "category", "relation", "target"), BANNED_THERE)
 def test_what_is_banned_from_one_place_may_be_in_others(text, category, relation, target):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.without == ()
     (found,) = graph.exclusions
     assert category in found.categories
@@ -47,14 +47,14 @@ def test_what_is_banned_from_one_place_may_be_in_others(text, category, relation
     ],
 )
 def test_a_plain_noun_rules_out_all_that_bears_its_name(text, gone, stays):
-    without = set(read_request(text).without)
+    without = set(read_by_rules(text).without)
     assert gone <= without
     assert stays not in without
 
 
 @pytest.mark.parametrize("text", ["a playroom, loud but not sad", "a hall with stools, no stool on one side"])
 def test_what_rules_out_no_thing_rules_out_nothing(text):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.exclusions == ()
     assert graph.unread
 
@@ -69,7 +69,7 @@ def test_what_rules_out_no_thing_rules_out_nothing(text):
     ],
 )
 def test_only_is_said_of_the_room_where_nothing_was_named(text, only):
-    assert read_request(text).only is only
+    assert read_by_rules(text).only is only
 
 
 @pytest.mark.parametrize(
@@ -86,16 +86,16 @@ def test_only_is_said_of_the_room_where_nothing_was_named(text, only):
     ],
 )
 def test_classes_properties_and_places_rule_out_their_kinds(text, gone, stays):
-    without = {*read_request(text).without}
+    without = {*read_by_rules(text).without}
     assert gone <= without
     assert not stays & without
 
 
 def test_materials_are_ruled_out_by_themselves_and_not_of_a_thing():
-    (found,) = read_request("a waiting room with six chairs and nothing made of glass").exclusions
+    (found,) = read_by_rules("a waiting room with six chairs and nothing made of glass").exclusions
     assert found.materials == ("glass",)
     assert {"wine_glass", "wall_mirror"} <= {*found.categories}
-    graph = read_request("a study, no glass table but a wooden table")
+    graph = read_by_rules("a study, no glass table but a wooden table")
     assert graph.exclusions == ()
     assert [entity.noun for entity in graph.entities] == ["table"]
 
@@ -109,7 +109,7 @@ def test_materials_are_ruled_out_by_themselves_and_not_of_a_thing():
     ],
 )
 def test_what_is_named_for_itself_is_wanted(text, noun):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (found,) = (entity for entity in graph.entities if entity.noun == noun)
     assert found.category not in graph.without
     assert len(graph.without) > 5
@@ -117,12 +117,12 @@ def test_what_is_named_for_itself_is_wanted(text, noun):
 
 @pytest.mark.parametrize("words", ["no furniture", "no furniture but a bed", "nothing but a bed", "unfurnished"])
 def test_a_room_without_furniture_gets_none(words):
-    graph = read_request(f"a bedroom, {words}")
+    graph = read_by_rules(f"a bedroom, {words}")
     assert graph.only and len(graph.entities) == ("bed" in words.split())
 
 
 def test_not_not_is_no_exclusion():
-    graph = read_request("a bedroom with not not a sofa")
+    graph = read_by_rules("a bedroom with not not a sofa")
     assert [entity.category for entity in graph.entities] == ["sofa"] and not graph.exclusions
 
 
@@ -139,7 +139,7 @@ def test_not_not_is_no_exclusion():
     ],
 )
 def test_nothing_is_to_be_somewhere_but_what_is_named_there(text, relation, target, there):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (found,) = graph.exclusions
     assert (found.categories, found.relation, found.targets) == ((ANYTHING,), relation, (target,))
     assert [r.subject for r in graph.relations] == there
@@ -148,24 +148,24 @@ def test_nothing_is_to_be_somewhere_but_what_is_named_there(text, relation, targ
 
 
 def test_no_others_leaves_what_is_named():
-    graph = read_request("Two chairs. No other chairs. No other seating.")
+    graph = read_by_rules("Two chairs. No other chairs. No other seating.")
     assert [e.category for e in graph.entities] == ["chair"]
     assert all(found.others and "chair" not in found.categories for found in graph.exclusions)
 
 
 def test_a_list_is_ruled_out_where_its_last_words_say():
-    graph = read_request("Ten chairs in one row. No posters, plants or windows near the row.")
+    graph = read_by_rules("Ten chairs in one row. No posters, plants or windows near the row.")
     assert [(x.relation, x.targets) for x in graph.exclusions] == [("near", ("chair",)), ("near", ("chair",))]
     assert graph.windows is None
     assert [u.words for u in graph.unread] == ["windows near the row"]
 
 
 def test_a_limit_rules_out_nothing():
-    graph = read_request("a library with no shelf above 140 cm")
+    graph = read_by_rules("a library with no shelf above 140 cm")
     assert not graph.exclusions
     assert [m.high for m in graph.measures] == [1.4]
 
 
 def test_what_is_ruled_out_except_somewhere_is_there():
-    graph = read_request("No rugs except in front of the sofa.")
+    graph = read_by_rules("No rugs except in front of the sofa.")
     assert [(r.type, r.subject, r.targets) for r in graph.relations] == [("in_front_of", "rug", ("sofa",))]

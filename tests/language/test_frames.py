@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.wall_names import walls_meant
 from sceneweaver.scene import Door, Room, Window
 
@@ -39,16 +40,16 @@ PLACED = [
 
 @pytest.mark.parametrize(("text", "relation"), PLACED, ids=[text for text, _ in PLACED])
 def test_places(text: str, relation: tuple[str, str, str]) -> None:
-    assert relation in said(read_request(text))
+    assert relation in said(read_by_rules(text))
 
 
 def test_what_is_said_of_who_comes_in_is_understood() -> None:
-    graph = read_request("A hall. When you come in there is a bench on the left and a mirror straight ahead.")
+    graph = read_by_rules("A hall. When you come in there is a bench on the left and a mirror straight ahead.")
     assert graph.unread == ()
 
 
 def test_facing_away_is_no_distance() -> None:
-    graph = read_request("The sofa faces away from the window")
+    graph = read_by_rules("The sofa faces away from the window")
     assert not graph.relations and graph.unread
 
 
@@ -71,21 +72,21 @@ NOT_OF_THE_LAST = [
 
 @pytest.mark.parametrize(("text", "kind"), NOT_OF_THE_LAST, ids=[text for text, _ in NOT_OF_THE_LAST])
 def test_what_is_no_known_thing_hands_its_place_on_to_nothing(text: str, kind: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     known = {r.subject for r in graph.relations if r.type == kind}
     assert known.isdisjoint(e.id for e in graph.entities if not e.generic)
 
 
 def test_the_other_side_of_it_is_of_the_same_thing() -> None:
-    graph = read_request("A lodge with a rack to the left of the fireplace, a basket to the right of it")
+    graph = read_by_rules("A lodge with a rack to the left of the fireplace, a basket to the right of it")
     assert ("basket", "right_of", "fireplace") in said(graph)
 
 
 def test_what_is_behind_one_thing_is_no_second_target() -> None:
-    graph = read_request("The armchair faces the fireplace and there is a lamp behind the sofa")
+    graph = read_by_rules("The armchair faces the fireplace and there is a lamp behind the sofa")
     assert {r for r in said(graph) if r[1] == "facing"} == {("armchair", "facing", "fireplace")}
 
 
 def test_beams_are_overhead_and_a_bar_of_a_pub_is_none() -> None:
-    assert ("fern", "hanging_from", "ceiling") in said(read_request("A greenhouse with ferns hanging from the bars"))
-    assert ("hammock", "hanging_from", "ceiling") in said(read_request("An attic, a hammock hanging from the beams"))
+    assert ("fern", "hanging_from", "ceiling") in said(read_by_rules("A greenhouse with ferns hanging from the bars"))
+    assert ("hammock", "hanging_from", "ceiling") in said(read_by_rules("An attic, a hammock hanging from the beams"))

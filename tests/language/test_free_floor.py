@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 
 READ = [
     # ---- circles
@@ -74,7 +75,7 @@ def only_area(graph: SceneGraph):
 
 @pytest.mark.parametrize(("text", "kind", "width", "about"), READ)
 def test_phrase_is_read(text, kind, width, about):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     area = only_area(graph)
     first = tuple(name.rpartition("-")[0] if name[-1].isdigit() and "-" in name else name for name in area.targets)
     assert (area.kind, first) == (kind, about)
@@ -85,11 +86,11 @@ def test_phrase_is_read(text, kind, width, about):
 
 @pytest.mark.parametrize("text", NOT_READ)
 def test_measures_of_things_are_left_to_things(text):
-    assert not read_request(text).free_areas
+    assert not read_by_rules(text).free_areas
 
 
 def test_a_thing_that_only_the_phrase_names_is_still_made():
-    graph = read_request("laundry, 90 cm clear in front of the washing machine")
+    graph = read_by_rules("laundry, 90 cm clear in front of the washing machine")
     assert [e.category for e in graph.entities] == ["washing_machine"]
 
 
@@ -101,23 +102,23 @@ def test_sides_that_are_meant():
         "a bed with 60 cm clear behind the bed": "back",
         "a bed with 60 cm clear in front of it": "front",
     }
-    assert {text: only_area(read_request(text)).side for text in sides} == sides
+    assert {text: only_area(read_by_rules(text)).side for text in sides} == sides
 
 
 def test_a_range_has_a_least_and_a_most():
-    area = only_area(read_request("an armchair and a path 50 to 60 cm wide from the door to the armchair"))
+    area = only_area(read_by_rules("an armchair and a path 50 to 60 cm wide from the door to the armchair"))
     assert (area.size[0], area.most) == (0.5, 0.6)
 
 
 def test_free_floor_is_no_size_of_the_room():
-    graph = read_request("a bedroom with free floor for lego, say 1.5 by 1.5 m")
+    graph = read_by_rules("a bedroom with free floor for lego, say 1.5 by 1.5 m")
     assert graph.size is None
     assert only_area(graph).size == (1.5, 1.5)
-    assert read_request("a bedroom of 4 x 5 m with 2 x 1 m of free floor").size == (5.0, 4.0)
+    assert read_by_rules("a bedroom of 4 x 5 m with 2 x 1 m of free floor").size == (5.0, 4.0)
 
 
 def test_one_phrase_may_say_two_things():
-    graph = read_request("a lounge with two sofas, 1.2 m between the sofas and to the door")
+    graph = read_by_rules("a lounge with two sofas, 1.2 m between the sofas and to the door")
     assert [(a.kind, a.targets) for a in graph.free_areas] == [("gap", ("sofa",)), ("path", ("door", "sofa"))]
 
 
@@ -130,9 +131,9 @@ def test_one_phrase_may_say_two_things():
     ],
 )
 def test_a_way_with_a_width_alone_is_one_through_the_room(text, width):
-    (area,) = read_request(text).free_areas
+    (area,) = read_by_rules(text).free_areas
     assert (area.kind, area.size[0], area.targets) == ("path", width, ())
 
 
 def test_a_corridor_with_its_length_is_a_room():
-    assert not read_request("a corridor 1.5 m wide and 6 m long with a bench").free_areas
+    assert not read_by_rules("a corridor 1.5 m wide and 6 m long with a bench").free_areas

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -18,18 +18,18 @@ from sceneweaver.language import read_request
     ],
 )
 def test_nothing_else(text: str) -> None:
-    assert read_request(text).only
+    assert read_by_rules(text).only
 
 
 @pytest.mark.parametrize("text", ["a bed and little else", "a study with a desk and hardly anything else"])
 def test_little_else(text: str) -> None:
-    found = read_request(text)
+    found = read_by_rules(text)
     assert (found.only, found.density) == (False, "sparse")
 
 
 @pytest.mark.parametrize("text", ["a bedroom for two but only one chair", "They only talk about pirates. A bunk bed"])
 def test_only_of_a_number_is_no_word_about_the_room(text: str) -> None:
-    assert not read_request(text).only
+    assert not read_by_rules(text).only
 
 
 @pytest.mark.parametrize(
@@ -42,13 +42,13 @@ def test_only_of_a_number_is_no_word_about_the_room(text: str) -> None:
     ],
 )
 def test_many(text: str, said: set[tuple[str, str]]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     by_id = {entity.id: entity.category for entity in graph.entities}
     assert {(by_id[amount.entity], amount.spread) for amount in graph.amounts} == said
 
 
 def test_what_was_said_of_things_before_makes_no_list():
-    brief = read_request("a student's room, bed unmade, clothes all over the floor")
+    brief = read_by_rules("a student's room, bed unmade, clothes all over the floor")
     assert [brief.entity(one.entity).category for one in brief.amounts] == ["scattered_clothes"]
-    brief = read_request("an office, paper around the bin, mugs everywhere")
+    brief = read_by_rules("an office, paper around the bin, mugs everywhere")
     assert [brief.entity(one.entity).category for one in brief.amounts] == ["mug"]

@@ -16,7 +16,7 @@ import pytest
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets.sources import Library
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_request
 from sceneweaver.language.source import MOST
 from sceneweaver.scene import InputError
 from sceneweaver.tools.base import Context

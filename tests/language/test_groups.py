@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def told(text: str) -> list[dict[str, Any]]:
-    rows = read_request(text).arrangements
+    rows = read_by_rules(text).arrangements
     return [
         {k: v for k, v in row.model_dump().items() if v and k not in ("id", "words", "span", "more")} for row in rows
     ]
@@ -45,7 +45,7 @@ def test_a_group_is_read(text: str, said: dict[str, Any]) -> None:
 
 
 def test_what_is_between_each_two_has_its_number() -> None:
-    graph = read_request("a ward with five beds in a row and a cabinet between each two")
+    graph = read_by_rules("a ward with five beds in a row and a cabinet between each two")
     counts = {e.category: e.count for e in graph.entities}
     assert counts["cabinet"] == (4, 4)
     assert [(a.pattern, a.around) for a in graph.arrangements if a.entity == "cabinet"] == [("between", "hospital_bed")]

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.assets.taxonomy import category_named, resolve
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_request
 from sceneweaver.language.source import LONGEST, MOST
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene import InputError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -18,7 +18,7 @@ from sceneweaver.language import read_request
     ],
 )
 def test_a_plain_noun_means_what_the_room_needs(text: str, categories: list[str]) -> None:
-    assert [entity.category for entity in read_request(text).entities] == categories
+    assert [entity.category for entity in read_by_rules(text).entities] == categories
 
 
 @pytest.mark.parametrize(
@@ -32,7 +32,7 @@ def test_a_plain_noun_means_what_the_room_needs(text: str, categories: list[str]
     ],
 )
 def test_elsewhere_it_keeps_its_own_meaning(text: str, category: str) -> None:
-    assert [entity.category for entity in read_request(text).entities] == [category]
+    assert [entity.category for entity in read_by_rules(text).entities] == [category]
 
 
 @pytest.mark.parametrize(
@@ -53,7 +53,7 @@ def test_elsewhere_it_keeps_its_own_meaning(text: str, category: str) -> None:
     ],
 )
 def test_a_noun_without_a_thing_of_its_own_is_what_the_room_has(text: str, category: str) -> None:
-    assert category in {entity.category for entity in read_request(text).entities}
+    assert category in {entity.category for entity in read_by_rules(text).entities}
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_a_noun_without_a_thing_of_its_own_is_what_the_room_has(text: str, categ
     ],
 )
 def test_what_is_on_it_or_what_it_is_for_tells_what_a_noun_means(text: str, category: str) -> None:
-    assert category in {entity.category for entity in read_request(text).entities}
+    assert category in {entity.category for entity in read_by_rules(text).entities}
 
 
 @pytest.mark.parametrize(
@@ -75,13 +75,13 @@ def test_what_is_on_it_or_what_it_is_for_tells_what_a_noun_means(text: str, cate
     [("a hallway with a box for gloves", "storage_box"), ("a bedroom with a rack for sheets", "metal_shelf")],
 )
 def test_what_it_is_for_makes_no_thing_of_another_place(text: str, category: str) -> None:
-    assert [entity.category for entity in read_request(text).entities] == [category]
+    assert [entity.category for entity in read_by_rules(text).entities] == [category]
 
 
 def test_a_noun_that_the_room_explains_leaves_no_note() -> None:
-    assert read_request("a distillery with two tanks").notes == ()
+    assert read_by_rules("a distillery with two tanks").notes == ()
 
 
 def test_a_compound_of_another_thing_is_not_what_the_room_has() -> None:
-    (station,) = read_request("a break room with a charging station").entities
+    (station,) = read_by_rules("a break room with a charging station").entities
     assert station.category != "coffee_station"

@@ -6,7 +6,8 @@ import time
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.spelling import mended
 
 
@@ -106,42 +107,42 @@ RELATIONS = [
 
 @pytest.mark.parametrize(("text", "name", "count"), COUNTS, ids=[t for t, _, _ in COUNTS])
 def test_counts(text: str, name: str, count: tuple[int, int] | None) -> None:
-    found = counts(read_request(text))
+    found = counts(read_by_rules(text))
     assert (found[name] if count is not None else sum(c[0] for c in found.values() if c and c[0] > 1)) == (count or 4)
 
 
 @pytest.mark.parametrize(("text", "relation"), RELATIONS, ids=[f"{t} {r[0]}" for t, r in RELATIONS])
 def test_relations(text: str, relation: tuple[str, ...]) -> None:
-    assert relation in said(read_request(text))
+    assert relation in said(read_by_rules(text))
 
 
 def test_one_and_the_other_are_two_entities() -> None:
-    graph = read_request("Two armchairs: one stands by the window, the other next to the door.")
+    graph = read_by_rules("Two armchairs: one stands by the window, the other next to the door.")
     assert counts(graph) == {"armchair": (1, 1), "armchair-2": (1, 1)}
     assert {("armchair", "at", "window"), ("armchair-2", "next_to", "door")} <= said(graph)
 
 
 def test_sides_have_counts_of_their_own() -> None:
-    graph = read_request("A long table with eight chairs, four on each long side")
+    graph = read_by_rules("A long table with eight chairs, four on each long side")
     (row,) = (r for r in graph.relations if r.type == "along")
     assert (row.count, row.each, row.side) == ((4, 4), True, "long")
     assert counts(graph)["chair"] == (8, 8)
 
 
 def test_several_rooms() -> None:
-    graph = read_request("A living room with a sofa, and a kitchen with a stove")
+    graph = read_by_rules("A living room with a sofa, and a kitchen with a stove")
     assert (graph.room_type, graph.other_rooms) == ("living_room", ("kitchen",))
 
 
 def test_what_must_not_be_there() -> None:
-    graph = read_request("A study with a desk but no chair, and without curtains")
+    graph = read_by_rules("A study with a desk but no chair, and without curtains")
     assert {"chair_group", "curtain"} & set(graph.without) and "desk" in counts(graph)
     assert all(e.span is not None for e in graph.exclusions)
 
 
 def test_spans_are_those_of_the_request() -> None:
     text = "A Bedroom — with a tall OAK wardrobe  next to the  window"
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (wardrobe,) = graph.entities
     assert wardrobe.span is not None
     assert text[slice(*wardrobe.span)] == "a tall OAK wardrobe"
@@ -152,24 +153,24 @@ def test_spans_are_those_of_the_request() -> None:
 
 
 def test_parts_are_said_of_what_has_them() -> None:
-    graph = read_request("a bed with a tufted headboard and a dresser with six drawers")
+    graph = read_by_rules("a bed with a tufted headboard and a dresser with six drawers")
     assert set(counts(graph)) == {"bed", "dresser"}
     parts = {e.id: [a.value for a in e.attributes if a.kind == "part"] for e in graph.entities}
     assert "headboard" in parts["bed"] and "drawers" in parts["dresser"]
-    assert set(counts(read_request("a vanity with an integrated basin"))) == {"vanity"}
-    assert set(counts(read_request("a shelf with two photo frames with color prints"))) == {
+    assert set(counts(read_by_rules("a vanity with an integrated basin"))) == {"vanity"}
+    assert set(counts(read_by_rules("a shelf with two photo frames with color prints"))) == {
         "wall_shelf",
         "photo_frames",
     }
 
 
 def test_colors_of_a_thing_are_no_place() -> None:
-    graph = read_request("A board stands by the wall, beside two bean bags in lime green and violet.")
+    graph = read_by_rules("A board stands by the wall, beside two bean bags in lime green and violet.")
     assert not any(r.subject == "bean_bag" for r in graph.relations)
 
 
 def test_matching_things_look_alike() -> None:
-    graph = read_request("a white oak desk with a matching chair")
+    graph = read_by_rules("a white oak desk with a matching chair")
     chair = graph.entity("chair")
     assert chair is not None and (chair.color, chair.material) == (graph.entities[0].color, graph.entities[0].material)
 
@@ -192,11 +193,11 @@ def test_slips_are_mended(word: str, meant: str) -> None:
 
 def test_time_grows_with_the_text_only() -> None:
     sentence = "A desk stands by the window with a lamp on it, and a zebrine chair faces it. "
-    read_request(sentence)
+    read_by_rules(sentence)
 
     def seconds(times: int) -> float:
         start = time.process_time()
-        read_request(sentence * times)
+        read_by_rules(sentence * times)
         return time.process_time() - start
 
     short = min(seconds(10) for _ in range(3))
@@ -204,12 +205,12 @@ def test_time_grows_with_the_text_only() -> None:
 
 
 def test_what_flanks_a_thing_without_a_number_is_a_pair() -> None:
-    graph = read_request("a study with a fireplace and tall bookshelves on either side of it")
+    graph = read_by_rules("a study with a fireplace and tall bookshelves on either side of it")
     assert {e.category: e.count for e in graph.entities}["bookcase"] == (2, 2)
 
 
 def test_several_things_hold_in_the_base_form() -> None:
-    graph = read_request("A study. Open shelves against the far wall hold folded towels and six vases.")
+    graph = read_by_rules("A study. Open shelves against the far wall hold folded towels and six vases.")
     assert {e.category: e.count for e in graph.entities}["vase"] == (6, 6)
     assert {(r.type, r.targets) for r in graph.relations} >= {("against", ("wall:far",))}
     assert not graph.unread

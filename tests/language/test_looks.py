@@ -7,11 +7,11 @@ import pytest
 from sceneweaver.assets.materials import color_named, finishes, paint
 from sceneweaver.knowledge.looks import joined, look_words, looks, time_of
 from sceneweaver.knowledge.since import form_of, is_too_young, out_of_time, stand_in
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def names(text: str) -> list[str]:
-    return [said.name for said in read_request(text).looks]
+    return [said.name for said in read_by_rules(text).looks]
 
 
 @pytest.mark.parametrize(
@@ -28,14 +28,14 @@ def names(text: str) -> list[str]:
     ],
 )
 def test_years(text: str, year: int) -> None:
-    assert read_request(text).year == year
+    assert read_by_rules(text).year == year
 
 
 @pytest.mark.parametrize(
     "text", ["a library with 1500 books", "a shelf of 1800 mm", "a room for a lady in her eighties", "1200 chairs"]
 )
 def test_numbers_that_are_no_years(text: str) -> None:
-    assert read_request(text).year is None
+    assert read_by_rules(text).year is None
 
 
 def test_words_of_the_room_and_of_one_thing() -> None:
@@ -71,7 +71,7 @@ def test_a_place_that_is_not_there_is_no_look() -> None:
 def test_no_lamps_but_the_one_that_is_named() -> None:
     assert names("a bedroom with one dim lamp on the desk") == ["one lamp"]
     assert names("a bedroom with one lamp on the desk") == []
-    graph = read_request("a wine cellar, no daylight at all")
+    graph = read_by_rules("a wine cellar, no daylight at all")
     assert graph.windows == 0 and not graph.unread
 
 
@@ -85,9 +85,9 @@ def test_two_colours_of_a_thing_are_not_the_rooms() -> None:
 
 
 def test_light_is_read_and_goes_out_of_the_things() -> None:
-    graph = read_request("a chapel lit by candles, two benches")
+    graph = read_by_rules("a chapel lit by candles, two benches")
     assert [said.name for said in graph.looks] == ["candle"] and "candle" not in {e.category for e in graph.entities}
-    glow = read_request("a bar bathed in red light").looks[0]
+    glow = read_by_rules("a bar bathed in red light").looks[0]
     assert glow.color == "neon red"
 
 
@@ -124,5 +124,5 @@ def test_things_have_their_time() -> None:
 
 
 def test_the_side_of_the_sun_is_that_of_a_window():
-    (found,) = read_request("a library, late sun from the left").openings
+    (found,) = read_by_rules("a library, late sun from the left").openings
     assert (found.part, found.wall) == ("window", "left")

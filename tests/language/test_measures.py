@@ -2,7 +2,7 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 SAID = [
     ("a study with a desk 1.5 m wide, with a depth of 65 cm", "desk", {"width": (1.5, 1.5), "depth": (0.65, 0.65)}),
@@ -20,7 +20,7 @@ SAID = [
 
 @pytest.mark.parametrize(("text", "category", "wanted"), SAID)
 def test_a_length_is_of_its_thing(text, category, wanted):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {m.quantity: (m.low, m.high) for m in graph.measures if m.entity == category} == wanted
     assert not graph.unread
 
@@ -34,15 +34,15 @@ def test_a_length_is_of_its_thing(text, category, wanted):
     ],
 )
 def test_distances_and_rooms_are_no_lengths_of_things(text):
-    assert not read_request(text).measures
+    assert not read_by_rules(text).measures
 
 
 def test_a_plain_table_becomes_one_of_the_height():
-    graph = read_request("a bar with two tables, tops at 1.05 m")
+    graph = read_by_rules("a bar with two tables, tops at 1.05 m")
     assert [e.category for e in graph.entities] == ["bar_table"]
     assert graph.entities[0].size[2] == 1.05
 
 
 def test_worktops_without_a_thing_are_those_of_the_room():
-    (measure,) = read_request("a kitchen with the worktops at 84 cm").measures
+    (measure,) = read_by_rules("a kitchen with the worktops at 84 cm").measures
     assert (measure.entity, measure.quantity, measure.low) == ("", "top", 0.84)

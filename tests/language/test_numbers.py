@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 COUNTS = [
     ("A cinema with two rows of five recliners.", "recliner", (10, 10)),
@@ -34,11 +34,11 @@ COUNTS = [
 
 @pytest.mark.parametrize(("text", "category", "count"), COUNTS)
 def test_counts(text, category, count):
-    assert read_request(text).entity(category).count == count
+    assert read_by_rules(text).entity(category).count == count
 
 
 def test_so_many_each_belong_to_their_owners():
-    graph = read_request("An office with two desks side by side, three chairs each.")
+    graph = read_by_rules("An office with two desks side by side, three chairs each.")
     chairs = [e for e in graph.entities if e.category == "chair"]
     assert sum(e.count[0] for e in chairs) == 6
     assert {(r.subject, r.targets[0]) for r in graph.relations if r.type == "at"} == {
@@ -56,20 +56,20 @@ def test_so_many_each_belong_to_their_owners():
     ],
 )
 def test_so_many_on_one_side_and_on_the_other_are_one_arrangement(text: str, sides: tuple[int, int]):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert [e.count for e in graph.entities if e.category == "chair"] == [(sum(sides), sum(sides))]
     (one,) = graph.arrangements
     assert (one.pattern, one.entity, one.sides, one.around) == ("sides", "chair", sides, "dining_table")
 
 
 def test_some_of_those_that_were_named_are_no_others():
-    graph = read_request("A cafe with six tables. At least two tables stand by the window.")
+    graph = read_by_rules("A cafe with six tables. At least two tables stand by the window.")
     (relation,) = graph.relations
     assert (relation.subject, relation.count[0]) == ("dining_table", 2)
 
 
 def test_a_table_that_seats_so_many_says_for_how_many_people():
-    graph = read_request("A dining room. Table seats eight, plate and fork for each guest.")
+    graph = read_by_rules("A dining room. Table seats eight, plate and fork for each guest.")
     assert graph.people == 8
     assert graph.entity("plate").count == (8, 8)
 
@@ -88,7 +88,7 @@ def test_a_table_that_seats_so_many_says_for_how_many_people():
     ],
 )
 def test_what_is_no_number_of_things_is_told(text, count, told):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert [entity.count for entity in graph.entities] == [(count, count)]
     assert any(told in note for note in graph.notes), graph.notes
 
@@ -97,4 +97,4 @@ def test_what_is_no_number_of_things_is_told(text, count, told):
     "text", ["a desk 2.5 m from the door", "half a dozen chairs", "a 1.5 m wide desk", "a table half a metre high"]
 )
 def test_measures_and_half_a_dozen_are_numbers(text):
-    assert not any("no number" in note for note in read_request(text).notes)
+    assert not any("no number" in note for note in read_by_rules(text).notes)

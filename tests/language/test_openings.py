@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -23,8 +23,8 @@ from sceneweaver.language import read_request
     ],
 )
 def test_what_is_said_of_an_opening(text: str, part: str, told: dict[str, object]) -> None:
-    found = [one for one in read_request(text).openings if one.part == part]
-    assert found, read_request(text)
+    found = [one for one in read_by_rules(text).openings if one.part == part]
+    assert found, read_by_rules(text)
     assert {name: getattr(found[0], name) for name in told} == told
     span = found[0].span
     assert span is not None and text[span.start : span.end].lower()[:4] in text.lower()
@@ -41,17 +41,17 @@ def test_what_is_said_of_an_opening(text: str, part: str, told: dict[str, object
     ],
 )
 def test_what_stands_at_an_opening_says_nothing_of_it(text: str) -> None:
-    assert read_request(text).openings == ()
+    assert read_by_rules(text).openings == ()
 
 
 def test_an_opening_refers_to_the_one_before() -> None:
-    graph = read_request("a hall with a door in a short wall, a window opposite")
+    graph = read_by_rules("a hall with a door in a short wall, a window opposite")
     assert [one.opposite for one in graph.openings] == ["", "opening-0"]
 
 
 def test_who_names_a_door_to_another_room_comes_in_by_one_more() -> None:
-    assert read_request("a bedroom with a door to the bathroom").doors == 2
-    assert read_request("a bedroom, the front door on the left, a door to the bathroom").doors == 2
+    assert read_by_rules("a bedroom with a door to the bathroom").doors == 2
+    assert read_by_rules("a bedroom, the front door on the left, a door to the bathroom").doors == 2
 
 
 @pytest.mark.parametrize(
@@ -67,14 +67,14 @@ def test_who_names_a_door_to_another_room_comes_in_by_one_more() -> None:
     ],
 )
 def test_sizes_as_people_write_them(text: str, size: tuple[float, float] | None, height: float | None) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     if size is not None:
         assert graph.size == pytest.approx(size, abs=1e-3)
     assert graph.height == height
 
 
 def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
-    assert read_request("a 1.2 m table on a 2 m rug").size is None
+    assert read_by_rules("a 1.2 m table on a 2 m rug").size is None
 
 
 @pytest.mark.parametrize(
@@ -92,14 +92,14 @@ def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
     ],
 )
 def test_more_that_is_said_of_an_opening(text: str, told: dict[str, object]) -> None:
-    (one,) = read_request(text).openings
+    (one,) = read_by_rules(text).openings
     assert {name: getattr(one, name) for name in told} == told
 
 
 def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
-    graph = read_request("a loft with three windows on a long wall and two on a short wall")
+    graph = read_by_rules("a loft with three windows on a long wall and two on a short wall")
     assert [(one.count, one.wall) for one in graph.openings] == [(3, "long"), (2, "short")]
-    graph = read_request("a hall with two doors, one on the left wall, the other opposite")
+    graph = read_by_rules("a hall with two doors, one on the left wall, the other opposite")
     assert [(one.count, one.wall, one.opposite) for one in graph.openings] == [
         (1, "left", ""),
         (1, "any", "opening-0"),
@@ -107,18 +107,18 @@ def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
 
 
 def test_a_comma_ends_the_place_of_the_opening_before() -> None:
-    graph = read_request("a foyer, emergency door at the back, glass double doors at the front")
+    graph = read_by_rules("a foyer, emergency door at the back, glass double doors at the front")
     told = [(one.wall, one.features) for one in graph.openings]
     assert told == [("far", ("emergency",)), ("near", ("glass", "double"))]
 
 
 def test_two_openings_look_at_each_other() -> None:
-    graph = read_request("a corridor with two doors opposite each other")
+    graph = read_by_rules("a corridor with two doors opposite each other")
     assert [(one.part, one.opposite) for one in graph.openings] == [("door", ""), ("door", "opening-0")]
 
 
 def test_no_window_says_nothing_of_the_door_after_it() -> None:
-    graph = read_request("a darkroom, no window, door on the short wall")
+    graph = read_by_rules("a darkroom, no window, door on the short wall")
     assert (graph.windows, graph.doors) == (0, 1)
 
 
@@ -138,7 +138,7 @@ def test_no_window_says_nothing_of_the_door_after_it() -> None:
     ],
 )
 def test_where_doors_are_and_what_closes_them(text: str, doors: int, told: list[dict[str, object]]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.doors == doors
     assert len(graph.openings) == len(told)
     for one, said in zip(graph.openings, told, strict=True):
@@ -146,9 +146,9 @@ def test_where_doors_are_and_what_closes_them(text: str, doors: int, told: list[
 
 
 def test_daylight_and_windows_of_cellars() -> None:
-    assert read_request("a darkroom, no daylight at all").windows == 0
-    assert read_request("a bedroom, no daylight lamps").windows is None
-    (one,) = read_request("a laundry room with a basement window").openings
+    assert read_by_rules("a darkroom, no daylight at all").windows == 0
+    assert read_by_rules("a bedroom, no daylight lamps").windows is None
+    (one,) = read_by_rules("a laundry room with a basement window").openings
     assert one.features == ("small", "high up")
 
 
@@ -162,11 +162,11 @@ def test_daylight_and_windows_of_cellars() -> None:
     ],
 )
 def test_a_room_has_no_door_only_where_that_is_said(text: str, doors: int | None) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert (graph.doors, graph.openings) == (doors, ())
 
 
 def test_an_entrance_in_a_wall_is_a_door() -> None:
-    (one,) = read_request("a tailor shop, entrance on the short wall").openings
+    (one,) = read_by_rules("a tailor shop, entrance on the short wall").openings
     assert (one.part, one.wall) == ("door", "short")
-    assert read_request("a hallway, a console opposite the entrance").openings == ()
+    assert read_by_rules("a hallway, a console opposite the entrance").openings == ()

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 
 from benchmarks.room_requests import shares
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 LEAST = {"development": 0.95, "held_out": 0.87}
 """Shares of the expectations of each set that are read as meant."""
 
 
 def things(text: str) -> list[str]:
-    return [entity.category for entity in read_request(text).entities]
+    return [entity.category for entity in read_by_rules(text).entities]
 
 
 @pytest.mark.parametrize(
@@ -48,14 +48,14 @@ def test_what_is_no_thing_where_it_stands(text: str, expected: list[str]) -> Non
     ],
 )
 def test_what_is_refused_is_ruled_out_and_accounted_for(text: str, category: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert category in graph.without and category not in {entity.category for entity in graph.entities}
     told = " ".join(unread.words for unread in graph.unread)
     assert not {"out", "loathe", "free", "keep", "single", "anywhere", "anything", "allergic"} & set(told.split())
 
 
 def test_what_is_not_understood_is_told_in_phrases() -> None:
-    graph = read_request("a den with a sofa and a hint of brass. The dog may not sit on the sofa.")
+    graph = read_by_rules("a den with a sofa and a hint of brass. The dog may not sit on the sofa.")
     assert [unread.words for unread in graph.unread] == ["hint of brass", "the dog may not sit on the sofa"]
 
 

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 
 
 def entity(graph: SceneGraph, category: str) -> Any:
@@ -29,12 +30,12 @@ PEOPLE = [
 
 @pytest.mark.parametrize(("text", "people", "activity", "target"), PEOPLE)
 def test_people_do_something_somewhere(text: str, people: int, activity: str, target: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert (people, activity, target) in [(c.people, c.activity, c.target) for c in graph.capacities]
 
 
 def test_people_at_each_of_several_tables_are_counted_together() -> None:
-    graph = read_request("a restaurant with six tables for four and a bar")
+    graph = read_by_rules("a restaurant with six tables for four and a bar")
     assert graph.people == 24
     assert [(c.people, c.each) for c in graph.capacities if c.target] == [(4, True)]
     assert entity(graph, "dining_table").count == (6, 6)
@@ -49,11 +50,11 @@ OWN = [
 
 @pytest.mark.parametrize(("text", "category", "count"), OWN)
 def test_what_is_each_ones_own_is_as_many_as_people(text: str, category: str, count: int) -> None:
-    assert entity(read_request(text), category).count == (count, count)
+    assert entity(read_by_rules(text), category).count == (count, count)
 
 
 def test_the_table_that_all_are_at_is_nobodys_own() -> None:
-    graph = read_request("a podcast room, four people at a round table, a microphone and headphones for each")
+    graph = read_by_rules("a podcast room, four people at a round table, a microphone and headphones for each")
     assert entity(graph, "round_dining_table").count == (1, 1)
 
 
@@ -77,7 +78,7 @@ ARRANGED: list[tuple[str, dict[str, Any], int]] = [
 
 @pytest.mark.parametrize(("text", "said", "count"), ARRANGED)
 def test_arrangements_say_how_many_and_how(text: str, said: dict[str, Any], count: int) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (one,) = graph.arrangements
     assert {name: getattr(one, name) for name in said} == said
     named = graph.entity(one.entity)
@@ -86,7 +87,7 @@ def test_arrangements_say_how_many_and_how(text: str, said: dict[str, Any], coun
 
 
 def test_each_group_is_around_its_own_table() -> None:
-    graph = read_request("a lounge, two groups of four armchairs, each group around a small table")
+    graph = read_by_rules("a lounge, two groups of four armchairs, each group around a small table")
     (one,) = graph.arrangements
     assert entity(graph, "dining_table").count == (2, 2) and one.around == "dining_table"
     (said,) = [r for r in graph.relations if r.subject == "armchair"]
@@ -102,16 +103,16 @@ def test_each_group_is_around_its_own_table() -> None:
     ],
 )
 def test_bounds_stand_behind_their_nouns(text: str, category: str, count: tuple[int, int]) -> None:
-    assert entity(read_request(text), category).count == count
+    assert entity(read_by_rules(text), category).count == count
 
 
 def test_a_grid_of_so_many_by_so_many_is_no_measure_of_the_room() -> None:
-    assert read_request("a yoga studio with 15 mats in a 3 x 5 grid").size is None
+    assert read_by_rules("a yoga studio with 15 mats in a 3 x 5 grid").size is None
 
 
 @pytest.mark.parametrize("text", ["a table for ten", "three bins in a row", "two groups of four armchairs"])
 def test_spans_name_the_words(text: str) -> None:
-    graph = read_request(f"A room with {text}, please.")
+    graph = read_by_rules(f"A room with {text}, please.")
     said = [*graph.arrangements, *(c for c in graph.capacities if c.span)]
     assert said
     for one in said:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -21,7 +21,7 @@ from sceneweaver.language import read_request
     ],
 )
 def test_who_is_counted_is_somebody(text: str, people: int, activity: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     if people:
         assert (graph.people, graph.capacities[-1].activity) == (people, activity), graph.capacities
         assert not graph.unread, graph.unread
@@ -41,24 +41,24 @@ def test_who_is_counted_is_somebody(text: str, people: int, activity: str) -> No
     ],
 )
 def test_what_is_no_person_and_what_people_need(text: str, category: str, count: tuple[int, int] | None) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     found = [e for e in graph.entities if e.category == category]
     assert count is None or [e.count for e in found] == [count], graph.entities
 
 
 def test_words_of_people_are_those_of_the_request() -> None:
-    (said,) = read_request("an interrogation room, one sheriff and one burglar at a table").capacities
+    (said,) = read_by_rules("an interrogation room, one sheriff and one burglar at a table").capacities
     assert (said.people, said.target) == (2, "interview_table")
     assert said.words.startswith("one sheriff and one burglar")
 
 
 def test_so_many_a_side_of_a_table() -> None:
-    (said,) = read_request("a meeting room with a table, four a side").capacities
+    (said,) = read_by_rules("a meeting room with a table, four a side").capacities
     assert (said.people, said.activity, said.target) == (8, "sit", "dining_table")
 
 
 def test_hundreds_of_small_things_leave_room_for_others() -> None:
-    graph = read_request("a wine shop with 900 bottles and two racks")
+    graph = read_by_rules("a wine shop with 900 bottles and two racks")
     assert [(e.category, e.count) for e in graph.entities][1:] == [("wine_rack", (2, 2))]
     assert any("900 x bottles was brought to" in note for note in graph.notes)
 
@@ -74,11 +74,11 @@ def test_hundreds_of_small_things_leave_room_for_others() -> None:
     ],
 )
 def test_people_who_are_named_one_by_one_are_counted(text: str, people: int) -> None:
-    assert read_request(text).people == people
+    assert read_by_rules(text).people == people
 
 
 def test_animals_and_vehicles_are_nobody() -> None:
     for text in ("a stable for four ponies", "a garage for two tractors"):
-        graph = read_request(text)
+        graph = read_by_rules(text)
         assert graph.people is None
         assert graph.unread

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 PLACED = [
     ("a vise on a bench, a plank clamped in the vise", "inside", "vise"),
@@ -25,7 +25,7 @@ PLACED = [
 
 @pytest.mark.parametrize(("text", "kind", "target"), PLACED)
 def test_words_of_place_are_read(text, kind, target):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert (kind, target) in {(r.type, r.targets[0]) for r in graph.relations}
     assert not graph.unread
 
@@ -41,18 +41,18 @@ def test_words_of_place_are_read(text, kind, target):
 )
 def test_sides_of_who_sits_are_not_those_of_who_looks_at_the_seat(text, kind):
     """Relations have the sides of who looks at a thing's front: the right hand of who sits there is at its left."""
-    (said,) = read_request(text).relations
+    (said,) = read_by_rules(text).relations
     assert said.type == kind
 
 
 def test_a_hand_without_a_seat_is_told():
-    graph = read_request("a basin at his right hand")
+    graph = read_by_rules("a basin at his right hand")
     assert not graph.relations
     assert [u.words for u in graph.unread] == ["at his right hand"]
 
 
 def test_the_other_side_is_that_of_the_same_thing():
-    graph = read_request("A chair to one side of the fireplace and a piano to the other.")
+    graph = read_by_rules("A chair to one side of the fireplace and a piano to the other.")
     assert {(r.type, r.subject, r.targets) for r in graph.relations} == {
         ("next_to", "chair", ("fireplace",)),
         ("next_to", "upright_piano", ("fireplace",)),
@@ -60,17 +60,17 @@ def test_the_other_side_is_that_of_the_same_thing():
 
 
 def test_what_people_are_on_is_under_no_thing():
-    graph = read_request("A desk with a lamp facing the clerk, who sits on a raised platform.")
+    graph = read_by_rules("A desk with a lamp facing the clerk, who sits on a raised platform.")
     assert all("stage_platform" not in r.targets for r in graph.relations)
 
 
 def test_where_another_room_is_says_nothing_of_furniture():
-    graph = read_request("A restaurant; the kitchen in the east half, four tables in the west half.")
+    graph = read_by_rules("A restaurant; the kitchen in the east half, four tables in the west half.")
     assert [r.targets for r in graph.relations] == [("half:west",)]
 
 
 def test_doors_at_both_ends_are_in_both_short_walls():
-    graph = read_request("A ward with a door at both ends.")
+    graph = read_by_rules("A ward with a door at both ends.")
     assert graph.doors == 2
     assert [(o.part, o.wall, o.opposite) for o in graph.openings] == [
         ("door", "short", ""),
@@ -79,7 +79,7 @@ def test_doors_at_both_ends_are_in_both_short_walls():
 
 
 def test_a_spot_is_told_of_by_what_is_there():
-    graph = read_request("A pot on the stove. One very tidy spot in the middle, a round table.")
+    graph = read_by_rules("A pot on the stove. One very tidy spot in the middle, a round table.")
     assert ("at", "round_dining_table", ("middle",)) in {(r.type, r.subject, r.targets) for r in graph.relations}
 
 
@@ -92,11 +92,11 @@ def test_a_spot_is_told_of_by_what_is_there():
     ],
 )
 def test_sides_of_the_room_are_its_walls(text, target):
-    assert [(r.type, r.targets) for r in read_request(text).relations] == [("against", (target,))]
+    assert [(r.type, r.targets) for r in read_by_rules(text).relations] == [("against", (target,))]
 
 
 def test_the_other_end_is_of_the_room_too():
-    graph = read_request("A stove at one end, a piano at the other.")
+    graph = read_by_rules("A stove at one end, a piano at the other.")
     assert {(r.type, r.subject, r.targets) for r in graph.relations} == {
         ("against", "wood_stove", ("wall:short",)),
         ("against", "upright_piano", ("wall:short",)),

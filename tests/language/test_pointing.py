@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.spelling import mended
 
 
 def related(text: str) -> set[tuple[str, ...]]:
-    return {(r.subject, r.type, *r.targets) for r in read_request(text).relations}
+    return {(r.subject, r.type, *r.targets) for r in read_by_rules(text).relations}
 
 
 def counted(text: str) -> dict[str, tuple[int, int] | None]:
-    return {e.id: e.count for e in read_request(text).entities}
+    return {e.id: e.count for e in read_by_rules(text).entities}
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def counted(text: str) -> dict[str, tuple[int, int] | None]:
     ],
 )
 def test_an_exclusion_ends_where_something_is_there_instead(text, wanted, unwanted):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {e.id: e.count for e in graph.entities} == wanted
     assert [one.words for one in graph.exclusions] == [unwanted]
     assert not graph.unread
@@ -40,14 +40,14 @@ def test_an_exclusion_ends_where_something_is_there_instead(text, wanted, unwant
     ],
 )
 def test_what_is_left_of_an_excluded_kind_is_that_many(text, name, count):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {e.id: e.count for e in graph.entities}[name] == count
     assert not graph.exclusions
     assert not graph.unread
 
 
 def test_a_number_behind_a_singular_noun_is_a_name():
-    graph = read_request("A restaurant, table 5 by the window and table 6 by the door.")
+    graph = read_by_rules("A restaurant, table 5 by the window and table 6 by the door.")
     assert [e.count for e in graph.entities] == [(1, 1), (1, 1)]
     assert not graph.unread
     assert counted("Hospital room 3 with two beds.") == {"hospital_bed": (2, 2)}
@@ -66,7 +66,7 @@ def test_numbers_in_lists_stay_counts():
     ],
 )
 def test_one_of_several_is_no_new_one(text):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert related(text) == {("bed", "at", "window"), ("bed-2", "near", "door")}
     assert [e.count for e in graph.entities] == [(1, 1), (1, 1)]
     assert not graph.unread
@@ -100,12 +100,12 @@ def test_one_of_several_may_be_of_another_kind():
 
 
 def test_measures_in_brackets_count_nothing():
-    (sofa,) = read_request("A sofa (about 2 m, grey).").entities
+    (sofa,) = read_by_rules("A sofa (about 2 m, grey).").entities
     assert (sofa.count, sofa.size[1], sofa.color) == ((1, 1), 2.0, "grey")
 
 
 def test_what_turns_its_back_to_a_door_is_not_against_it():
-    graph = read_request("A sofa, the sofa's back to the door.")
+    graph = read_by_rules("A sofa, the sofa's back to the door.")
     assert not graph.relations
     assert graph.unread
 
@@ -142,6 +142,6 @@ def test_lists_and_chains_go_on(text, relation):
     ],
 )
 def test_what_does_not_happen_rules_out_nothing(text: str, wanted: set[str], unwanted: set[str]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {e.category for e in graph.entities} >= wanted
     assert set(graph.without) >= unwanted and not set(graph.without) & wanted

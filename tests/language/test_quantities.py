@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
 from sceneweaver.language.quantities import plain_quantities, spelt
+from sceneweaver.language.read import read_by_rules
 from tests.language.graphs import consistent
 
 WRITTEN = [
@@ -76,14 +76,14 @@ def test_numbers_in_words() -> None:
     ],
 )
 def test_what_a_number_says_of_a_thing_is_no_count(text: str, noun: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     consistent(graph)
     thing = next(e for e in graph.entities if e.noun == noun)
     assert thing.count in (None, (1, 1)) and thing.attributes
 
 
 def test_numbers_before_what_they_count_stay_counts() -> None:
-    graph = read_request("a bar with 4 bar stools, two door mats and six plates")
+    graph = read_by_rules("a bar with 4 bar stools, two door mats and six plates")
     assert {e.category: e.count for e in graph.entities if e.count} == {
         "bar_stool": (4, 4), "doormat": (2, 2), "plate": (6, 6),
     }  # fmt: skip
@@ -100,7 +100,7 @@ def test_numbers_before_what_they_count_stay_counts() -> None:
     ],
 )
 def test_sides_that_are_told_one_by_one(text: str, size: tuple[float, float] | None) -> None:
-    assert read_request(text).size == size
+    assert read_by_rules(text).size == size
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,7 @@ def test_sides_that_are_told_one_by_one(text: str, size: tuple[float, float] | N
     ],
 )
 def test_a_distance_belongs_to_its_relation(text: str, params: dict[str, float]) -> None:
-    (relation,) = read_request(text).relations
+    (relation,) = read_by_rules(text).relations
     assert relation.subject == "armchair" and relation.params == params
 
 
@@ -128,20 +128,20 @@ def test_a_distance_belongs_to_its_relation(text: str, params: dict[str, float])
     ],
 )
 def test_a_limit_is_no_exclusion(text: str, quantity: str, ends: tuple[float | None, float | None]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (limit,) = graph.measures
     assert limit.quantity == quantity and (limit.low, limit.high) == ends and limit.categories
     assert not graph.exclusions and not graph.entities and not graph.unread
 
 
 def test_a_limit_on_what_stands_on_something() -> None:
-    graph = read_request("a dining room with a table. Nothing taller than 25 cm on the table.")
+    graph = read_by_rules("a dining room with a table. Nothing taller than 25 cm on the table.")
     (limit,) = graph.measures
     assert (limit.categories, limit.on, limit.high) == (("object",), "dining_table", 0.25)
 
 
 def test_a_place_is_still_where_something_must_not_be() -> None:
-    graph = read_request("a bedroom with a bed, no shelf above the bed")
+    graph = read_by_rules("a bedroom with a bed, no shelf above the bed")
     assert not graph.measures and graph.exclusions[0].targets == ("bed",)
 
 
@@ -157,22 +157,22 @@ def test_a_place_is_still_where_something_must_not_be() -> None:
     ],
 )
 def test_comparisons_with_a_length(text: str, entity: str, quantity: str, ends: tuple[float, float]) -> None:
-    (measure,) = read_request(text).measures
+    (measure,) = read_by_rules(text).measures
     assert (measure.entity, measure.quantity, (measure.low, measure.high)) == (entity, quantity, ends)
 
 
 def test_gaps_between_things_of_a_kind() -> None:
-    (row,) = read_request("a hall with six chairs in a row, gaps of 30 cm").arrangements
+    (row,) = read_by_rules("a hall with six chairs in a row, gaps of 30 cm").arrangements
     assert row.spacing == 0.3
-    (area,) = read_request("a studio, five easels, 1.4 m apart").free_areas
+    (area,) = read_by_rules("a studio, five easels, 1.4 m apart").free_areas
     assert (area.kind, area.size, area.targets) == ("gap", (1.4, 1.4), ("easel",))
 
 
 def test_room_behind_people_is_behind_their_seats() -> None:
-    (area,) = read_request("a den with three stools, a metre to pass behind a seated person").free_areas
+    (area,) = read_by_rules("a den with three stools, a metre to pass behind a seated person").free_areas
     assert (area.kind, area.size[0], area.targets, area.side) == ("clearance", 1.0, ("stool",), "back")
 
 
 def test_a_door_that_must_not_swing_in_swings_out() -> None:
-    (door,) = read_request("a bathroom. Door clear opening 900, must not swing in.").openings
+    (door,) = read_by_rules("a bathroom. Door clear opening 900, must not swing in.").openings
     assert door.width == 0.9 and door.features == ("outward",)

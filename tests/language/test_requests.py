@@ -8,7 +8,8 @@ import pytest
 
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge import match_room
-from sceneweaver.language import SceneGraph, meanings, read_request
+from sceneweaver.language import SceneGraph, meanings
+from sceneweaver.language.read import read_by_rules
 
 ROOMS = {
     "bedroom": "bedroom",
@@ -364,7 +365,7 @@ on the wall above the desk. No TV."""
 
 @pytest.mark.parametrize("text", ROOMS)
 def test_room(text: str) -> None:
-    assert read_request(text).room_type == ROOMS[text]
+    assert read_by_rules(text).room_type == ROOMS[text]
 
 
 def ruled_out(name: str) -> set[str]:
@@ -374,7 +375,7 @@ def ruled_out(name: str) -> set[str]:
 
 @pytest.mark.parametrize(("text", "fields"), FIELDS, ids=[t for t, _ in FIELDS])
 def test_fields(text: str, fields: dict[str, Any]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     for name, value in fields.items():
         found = getattr(graph, name)
         if name == "without":  # each word rules out its kinds, and no word more than one list of them
@@ -386,7 +387,7 @@ def test_fields(text: str, fields: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize(("text", "counts"), COUNTS, ids=[t for t, _ in COUNTS])
 def test_counts(text: str, counts: dict[str, Any]) -> None:
-    assert {a.id: a.count for a in read_request(text).entities} == counts
+    assert {a.id: a.count for a in read_by_rules(text).entities} == counts
 
 
 def said(graph: SceneGraph) -> set[tuple[str, str, Any]]:
@@ -395,14 +396,14 @@ def said(graph: SceneGraph) -> set[tuple[str, str, Any]]:
 
 @pytest.mark.parametrize(("text", "expected"), RELATIONS, ids=[t for t, _ in RELATIONS])
 def test_relations(text: str, expected: set[tuple[str, str, Any]]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert said(graph) == expected
     assert _consistent(graph)
 
 
 @pytest.mark.parametrize(("text", "object_id", "looks"), LOOKS, ids=[t for t, _, _ in LOOKS])
 def test_looks(text: str, object_id: str, looks: dict[str, Any]) -> None:
-    (asked,) = (a for a in read_request(text).entities if a.id == object_id)
+    (asked,) = (a for a in read_by_rules(text).entities if a.id == object_id)
     assert {name: getattr(asked, name) for name in looks} == looks
 
 
@@ -415,16 +416,16 @@ def _consistent(graph: SceneGraph) -> bool:
 
 @pytest.mark.parametrize(("text", "word"), NOTED)
 def test_noted(text: str, word: str) -> None:
-    assert word in " ".join(read_request(text).notes)
+    assert word in " ".join(read_by_rules(text).notes)
 
 
 @pytest.mark.parametrize(("text", "word"), UNREAD)
 def test_unread(text: str, word: str) -> None:
-    assert word in " ".join(word.words for word in read_request(text).unread)
+    assert word in " ".join(word.words for word in read_by_rules(text).unread)
 
 
 def test_a_whole_paragraph() -> None:
-    graph = read_request(LONG)
+    graph = read_by_rules(LONG)
     assert (graph.room_type, graph.size, graph.height, graph.style) == ("bedroom", (4.0, 3.5), 2.6, "scandinavian")
     assert (graph.for_whom, graph.without, graph.unread) == (("teenage girl",), ("tv",), ())
     assert {a.id for a in graph.entities} == {

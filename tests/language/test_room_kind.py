@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 KINDS = {
     "a room to fix bicycles in, bench, tools": "bike_shop",
@@ -24,28 +24,28 @@ KINDS = {
 
 @pytest.mark.parametrize("text", KINDS)
 def test_kind(text: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.room_type == KINDS[text]
     assert not graph.other_rooms
 
 
 @pytest.mark.parametrize("text", ["a bench in the corner", "plants everywhere in a living room", "a pair of armchairs"])
 def test_things_name_no_room(text: str) -> None:
-    assert read_request(text).room_type in (None, "living_room")
-    assert read_request(text).entities
+    assert read_by_rules(text).room_type in (None, "living_room")
+    assert read_by_rules(text).entities
 
 
 def test_a_name_that_nobody_knows_is_no_other_room() -> None:
-    graph = read_request("toll booth with a seat and a counter")
+    graph = read_by_rules("toll booth with a seat and a counter")
     assert (graph.room_type, graph.room_words) == (None, "toll booth")
 
 
 def test_a_second_function_brings_its_furniture() -> None:
-    graph = read_request("living room that is also a gym, with a sofa and a treadmill")
+    graph = read_by_rules("living room that is also a gym, with a sofa and a treadmill")
     things = {entity.category: entity for entity in graph.entities}
     assert graph.room_type == "living_room" and not graph.other_rooms
     assert things["spin_bike"].implied and not things["treadmill"].implied
-    corner = read_request("bedroom with a sewing corner")
+    corner = read_by_rules("bedroom with a sewing corner")
     assert "sewing_machine_table" in {entity.category for entity in corner.entities}
 
 
@@ -62,7 +62,7 @@ def test_a_second_function_brings_its_furniture() -> None:
     ],
 )
 def test_rooms_that_become_others_and_whose_they_are(text: str, kind: str) -> None:
-    assert read_request(text).room_type == kind
+    assert read_by_rules(text).room_type == kind
 
 
 @pytest.mark.parametrize(
@@ -75,24 +75,24 @@ def test_rooms_that_become_others_and_whose_they_are(text: str, kind: str) -> No
     ],
 )
 def test_whole_names_tell_and_real_words_are_no_slips(text: str, kind: str) -> None:
-    assert read_request(text).room_type == kind
+    assert read_by_rules(text).room_type == kind
 
 
 def test_what_stands_somewhere_is_a_thing_and_no_name_of_the_room() -> None:
-    graph = read_request("An oak table sits at the room center. On its surface, a vase stands in the middle.")
+    graph = read_by_rules("An oak table sits at the room center. On its surface, a vase stands in the middle.")
     assert [e.category for e in graph.entities] == ["dining_table", "vase"] and graph.room_words == ""
     assert ("on", "vase", ("dining_table",)) in {(r.type, r.subject, r.targets) for r in graph.relations}
 
 
 def test_a_part_that_begins_another_noun_is_no_part() -> None:
-    graph = read_request("A worktable by the wall. On the worktable, a red stand mixer stands beside a bowl.")
+    graph = read_by_rules("A worktable by the wall. On the worktable, a red stand mixer stands beside a bowl.")
     said = {(r.type, r.subject, r.targets) for r in graph.relations}
     assert ("on", "stand_mixer", ("workbench",)) in said and ("next_to", "stand_mixer", ("bowl",)) in said
 
 
 def test_a_two_seat_sofa_is_a_kind_of_its_own() -> None:
     for text in ("a two-seat gray sofa", "a two-seater sofa"):
-        assert [e.category for e in read_request(text).entities] == ["loveseat"], text
+        assert [e.category for e in read_by_rules(text).entities] == ["loveseat"], text
 
 
 @pytest.mark.parametrize(
@@ -104,7 +104,7 @@ def test_a_two_seat_sofa_is_a_kind_of_its_own() -> None:
     ],
 )
 def test_what_a_room_is_not_is_told_and_names_none(text, kind):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.room_type == kind
     assert any("not a" in unread.words or "isn't a" in unread.words for unread in graph.unread)
 
@@ -125,4 +125,4 @@ def test_what_a_room_is_not_is_told_and_names_none(text, kind):
     ],
 )
 def test_the_kind_is_found_behind_what_else_is_told(text: str, kind: str) -> None:
-    assert read_request(text).room_type == kind
+    assert read_by_rules(text).room_type == kind

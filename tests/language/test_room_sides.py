@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -26,18 +26,18 @@ from sceneweaver.language import read_request
     ],
 )
 def test_sides_of_the_room(text: str, size: tuple[float, float] | None) -> None:
-    assert read_request(text).size == size
+    assert read_by_rules(text).size == size
 
 
 def test_what_is_not_the_rooms_is_of_something_else_or_told() -> None:
-    free = read_request("Hall with two pews. Keep the centre clear so people may dance, 2.5 x 2.5 m.")
+    free = read_by_rules("Hall with two pews. Keep the centre clear so people may dance, 2.5 x 2.5 m.")
     assert [(area.kind, area.size) for area in free.free_areas] == [("rectangle", (2.5, 2.5))]
-    thing = read_request("Bathroom. 2.10 x 1.80. Shower 90 x 90.")
+    thing = read_by_rules("Bathroom. 2.10 x 1.80. Shower 90 x 90.")
     assert thing.size == (2.1, 1.8)
     assert [e.size[:2] for e in thing.entities if e.category == "shower"] == [(0.9, 0.9)]
-    told = read_request("Restaurant with an open kitchen (3 x 4 m) behind glass, 8 tables")
+    told = read_by_rules("Restaurant with an open kitchen (3 x 4 m) behind glass, 8 tables")
     assert "3 x 4 m" in [left.words for left in told.unread]
 
 
 def test_mats_are_a_floor() -> None:
-    assert read_request("a washitsu, 6 tatami, with a low table").area == pytest.approx(9.92)
+    assert read_by_rules("a washitsu, 6 tatami, with a low table").area == pytest.approx(9.92)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.spelling import mended
 
 
 def named(text: str) -> dict[str, tuple[int, int] | None]:
-    return {e.id: e.count for e in read_request(text).entities}
+    return {e.id: e.count for e in read_by_rules(text).entities}
 
 
 def related(text: str) -> set[tuple[str, ...]]:
-    return {(r.subject, r.type, *r.targets) for r in read_request(text).relations}
+    return {(r.subject, r.type, *r.targets) for r in read_by_rules(text).relations}
 
 
 SAID = [
@@ -45,7 +45,7 @@ def test_what_was_named_is_meant(text, relation):
     ],
 )
 def test_clauses_about_things_are_no_relations_and_no_bodies(text, color, shape):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert len(graph.entities) == 2
     assert {r.type for r in graph.relations} <= {"near", "next_to", "below"}
     values = {a.value for e in graph.entities for a in e.attributes} | {e.color for e in graph.entities}
@@ -71,7 +71,7 @@ def test_numbers(text, counts):
 
 
 def test_what_can_be_seen_from_somewhere_hangs_from_nothing():
-    graph = read_request("An aquarium that is visible from the sofa.")
+    graph = read_by_rules("An aquarium that is visible from the sofa.")
     assert not graph.relations
     assert any("visible" in u.words for u in graph.unread)
 
@@ -93,7 +93,7 @@ def test_words_of_their_own_stay(word):
 
 def test_slips_make_no_bodies():
     text = "a livingroom with two sofas facing eachother and a miror abov the firplace"
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert not any(e.generic for e in graph.entities)
     assert graph.room_type == "living_room"
     assert ("wall_mirror", "above", "fireplace") in related(text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 SENSES = [
     ("A shop for vinyl with six bins and a till.", "record_bin"),
@@ -54,12 +54,12 @@ NOTHING = [
 
 @pytest.mark.parametrize(("text", "category"), SENSES)
 def test_the_room_and_the_words_around_tell_what_a_noun_means(text, category):
-    assert category in {e.category for e in read_request(text).entities}
+    assert category in {e.category for e in read_by_rules(text).entities}
 
 
 @pytest.mark.parametrize("text", NOTHING)
 def test_words_that_name_nothing_make_no_bodies(text):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {e.category for e in graph.entities} - {"desk", "chair", "bench"} == set()
     assert graph.unread
 
@@ -68,11 +68,11 @@ def test_words_that_name_nothing_make_no_bodies(text):
     "text", ["I want a can on the shelf", "a blue can on the shelf", "a green paint can on the shelf"]
 )
 def test_a_can_is_a_thing_where_it_stands_as_one(text):
-    assert any("can" in e.noun.split() for e in read_request(text).entities)
+    assert any("can" in e.noun.split() for e in read_by_rules(text).entities)
 
 
 def test_what_stands_where_people_do_something_is_read():
-    graph = read_request("An armchair where I can read next to a floor lamp.")
+    graph = read_by_rules("An armchair where I can read next to a floor lamp.")
     assert {e.id for e in graph.entities} == {"armchair", "floor_lamp"}
     assert [(r.subject, r.type, r.targets) for r in graph.relations] == [("armchair", "next_to", ("floor_lamp",))]
 
@@ -87,21 +87,21 @@ def test_what_stands_where_people_do_something_is_read():
     ],
 )
 def test_the_scene_and_what_stands_near_tell(text: str, category: str) -> None:
-    assert category in {entity.category for entity in read_request(text).entities}
+    assert category in {entity.category for entity in read_by_rules(text).entities}
 
 
 def test_what_is_asked_for_by_a_verb_of_a_trade_is_made() -> None:
-    graph = read_request("Build shelves and a desk, and make a bench for me.")
+    graph = read_by_rules("Build shelves and a desk, and make a bench for me.")
     assert [entity.category for entity in graph.entities] == ["wall_shelf", "desk", "bench"]
 
 
 def test_boards_that_are_counted_are_no_cladding() -> None:
-    graph = read_request("A classroom with two boards on the front wall.")
+    graph = read_by_rules("A classroom with two boards on the front wall.")
     assert [entity.count for entity in graph.entities] == [(2, 2)]
     assert graph.finishes == ()
-    assert read_request("A room with boards on the front wall.").finishes
+    assert read_by_rules("A room with boards on the front wall.").finishes
 
 
 def test_an_article_before_a_noun_is_no_part_of_its_name() -> None:
-    assert [e.category for e in read_request("A shop with a board.").entities] != ["menu_board"]
-    assert [e.category for e in read_request("A shop with an A-board.").entities] == ["menu_board"]
+    assert [e.category for e in read_by_rules("A shop with a board.").entities] != ["menu_board"]
+    assert [e.category for e in read_by_rules("A shop with an A-board.").entities] == ["menu_board"]

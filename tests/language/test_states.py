@@ -2,7 +2,7 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 SAID = [
     ("a lounge with two chairs knocked over", "chair", ("knocked over", None)),
@@ -23,7 +23,7 @@ SAID = [
 
 @pytest.mark.parametrize(("text", "category", "wanted"), SAID)
 def test_a_state_is_of_its_thing(text, category, wanted):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     (entity,) = [e for e in graph.entities if e.category == category]
     assert [(a.value, a.count) for a in entity.attributes if a.kind == "state"] == [wanted]
     assert not graph.unread
@@ -33,14 +33,14 @@ def test_a_state_is_of_its_thing(text, category, wanted):
     "text", ["a den with a lamp on the desk", "a hall with open shelves", "a den, a rug on the floor"]
 )
 def test_places_and_kinds_are_no_states(text):
-    entities = read_request(text).entities
+    entities = read_by_rules(text).entities
     assert not [
         a for e in entities for a in e.attributes if a.kind == "state" and a.value in ("on", "door open", "off")
     ]
 
 
 def test_a_chair_that_is_pulled_out_is_still_at_its_desk():
-    (said,) = read_request("a study with a chair pulled out from the desk").relations
+    (said,) = read_by_rules("a study with a chair pulled out from the desk").relations
     assert (said.subject, said.type, said.targets) == ("chair", "at", ("desk",))
 
 
@@ -58,7 +58,7 @@ def test_a_chair_that_is_pulled_out_is_still_at_its_desk():
     ],
 )
 def test_what_is_another_thing_in_a_state_becomes_it(request_, category):
-    assert category in {entity.category for entity in read_request(request_).entities}
+    assert category in {entity.category for entity in read_by_rules(request_).entities}
 
 
 @pytest.mark.parametrize(
@@ -74,22 +74,22 @@ def test_what_is_another_thing_in_a_state_becomes_it(request_, category):
     ],
 )
 def test_states_are_told_of_the_thing_that_can_be_in_them(request_, category, value):
-    graph = read_request(request_)
+    graph = read_by_rules(request_)
     found = {a.value for e in graph.entities if e.category == category for a in e.attributes if a.kind == "state"}
     assert value in found
     assert not graph.unread
 
 
 def test_a_table_that_is_laid_has_a_place_for_each():
-    graph = read_request("The dining table is set for six.")
+    graph = read_by_rules("The dining table is set for six.")
     places = next(entity for entity in graph.entities if entity.category == "place_setting")
     assert places.count == (6, 6)
     assert [(r.type, r.subject) for r in graph.relations] == [("on", places.id)]
-    lamp = read_request("A lamp is set for six on the desk.")
+    lamp = read_by_rules("A lamp is set for six on the desk.")
     assert "place_setting" not in {entity.category for entity in lamp.entities}
 
 
 def test_few_patches_of_leaves_are_all_over_a_floor():
-    (leaves,) = read_request("Dead leaves all over the floor.").entities
+    (leaves,) = read_by_rules("Dead leaves all over the floor.").entities
     assert leaves.category == "dead_leaves"
     assert leaves.count is not None and leaves.count[0] < 6

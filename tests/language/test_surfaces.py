@@ -2,11 +2,11 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def finish(text, part):
-    found = read_request(text).finish_of(part)
+    found = read_by_rules(text).finish_of(part)
     assert found is not None, text
     return found
 
@@ -42,7 +42,7 @@ def test_floors_in_a_pattern(text, pattern, colors):
 
 
 def test_what_lies_on_the_floor_is_no_floor():
-    assert read_request("a shed with wood shavings on the floor").finish_of("floor") is None
+    assert read_by_rules("a shed with wood shavings on the floor").finish_of("floor") is None
 
 
 def test_several_parts_in_one_look_and_each_in_its_own():

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.read import read_by_rules
 
 
 def _counts(text: str) -> dict[str, int]:
     """How many of each category there are at least."""
     found: dict[str, int] = {}
-    for entity in read_request(text).entities:
+    for entity in read_by_rules(text).entities:
         found[entity.category] = found.get(entity.category, 0) + (entity.count or (1, 1))[0]
     return found
 
@@ -70,7 +71,7 @@ def test_a_second_name_makes_no_second_thing(text: str, counts: dict[str, int]) 
 
 
 def _graph(text: str) -> SceneGraph:
-    return read_request(text)
+    return read_by_rules(text)
 
 
 def test_what_is_said_of_the_role_is_said_of_the_thing() -> None:
@@ -122,7 +123,7 @@ def test_senses_by_the_words_around(text: str, category: str) -> None:
 
 def test_bounds_before_their_numbers() -> None:
     """A bound is no exclusion, and its words make no thing."""
-    graph = read_request("at least ten plants and no more than one mirror, max 2 tables")
+    graph = read_by_rules("at least ten plants and no more than one mirror, max 2 tables")
     counts = {e.category: e.count for e in graph.entities}
     assert counts == {"potted_plant": (10, 14), "wall_mirror": (1, 1), "dining_table": (1, 2)}
     assert not graph.exclusions and not graph.unread

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.assets.category import categories
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -29,20 +29,20 @@ from sceneweaver.language import read_request
     ],
 )
 def test_a_thing_of_a_trade_has_a_body_of_its_own(text: str, category: str) -> None:
-    found = [e for e in read_request(text).entities if e.category == category]
+    found = [e for e in read_by_rules(text).entities if e.category == category]
     assert len(found) == 1 and not found[0].generic
     assert categories()[category].size is not None
 
 
 def test_a_hyphen_in_a_name_hides_no_word() -> None:
     """A name is known without its hyphen, so that each of its words is accounted for."""
-    graph = read_request("an x-ray room with an x-ray viewer and a pull-up rig")
+    graph = read_by_rules("an x-ray room with an x-ray viewer and a pull-up rig")
     assert {"light_box", "training_rig"} <= {entity.category for entity in graph.entities}
     assert not graph.unread
 
 
 @pytest.mark.parametrize("text", ["a lab with a 3D printer", "a lab with two 3D printers"])
 def test_3d_begins_a_name_and_is_no_number(text: str) -> None:
-    (printer,) = [entity for entity in read_request(text).entities if "printer" in entity.category]
+    (printer,) = [entity for entity in read_by_rules(text).entities if "printer" in entity.category]
     assert printer.category == "printer_3d"
     assert printer.count == ((2, 2) if "two" in text else (1, 1))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.assets import categories
-from sceneweaver.language import read_request
 from sceneweaver.language.numerals import numerals
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.language.source import read_source
 from sceneweaver.language.translation import LANGUAGES, english_of, tables
 from sceneweaver.language.vocabulary import vocabulary, words
@@ -42,7 +42,7 @@ from sceneweaver.language.vocabulary import vocabulary, words
     ],
 )
 def test_what_is_read(text: str, room: str, things: dict[str, str], relation: tuple[str, str] | None) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.room_type == room
     for category, spoken in things.items():
         entity = graph.entity(category)
@@ -54,12 +54,12 @@ def test_what_is_read(text: str, room: str, things: dict[str, str], relation: tu
 
 
 def test_what_is_excluded_stays_out() -> None:
-    assert read_request("Eine Küche mit Herd und ohne Kühlschrank").exclusions[0].words == "fridge"
-    assert "rug" in read_request("Un salon avec un canapé, pas de tapis").exclusions[0].categories
+    assert read_by_rules("Eine Küche mit Herd und ohne Kühlschrank").exclusions[0].words == "fridge"
+    assert "rug" in read_by_rules("Un salon avec un canapé, pas de tapis").exclusions[0].categories
 
 
 def test_words_of_no_table_are_told() -> None:
-    graph = read_request("Ein Wohnzimmer mit einem Sofa und einem Quaxelbrumm")
+    graph = read_by_rules("Ein Wohnzimmer mit einem Sofa und einem Quaxelbrumm")
     assert [unread.words for unread in graph.unread] == ["quaxelbrumm"]
 
 
@@ -72,12 +72,12 @@ def test_english_stays_english(text: str) -> None:
 
 
 def test_a_compound_is_its_last_part_and_what_stands_before_it() -> None:
-    graph = read_request("Ein Arbeitszimmer mit einer Schreibtischlampe und einem Bürostuhl")
+    graph = read_by_rules("Ein Arbeitszimmer mit einer Schreibtischlampe und einem Bürostuhl")
     assert {entity.category for entity in graph.entities} == {"desk_lamp", "office_chair"}
 
 
 def test_a_part_of_a_word_is_no_thing_and_small_things_are_things() -> None:
-    graph = read_request("Ein Café mit vier runden Tischen, 70 cm Durchmesser, und einem Kühlschränkchen")
+    graph = read_by_rules("Ein Café mit vier runden Tischen, 70 cm Durchmesser, und einem Kühlschränkchen")
     assert {entity.category for entity in graph.entities} == {"round_dining_table", "minibar"}
 
 
@@ -140,13 +140,13 @@ def test_words_stand_in_the_order_of_english(text: str, said: str) -> None:
     ],
 )
 def test_what_has_no_translation_is_no_english_word(text: str, things: set[str], unread: list[str]) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert {entity.category for entity in graph.entities} == things
     assert [left.words.split()[-1] for left in graph.unread] == unread
 
 
 def test_an_adjective_in_small_letters_is_no_compound() -> None:
-    graph = read_request("Ein Büro mit einem unwegsamtbaren Schreibtisch und einem Stuhl")
+    graph = read_by_rules("Ein Büro mit einem unwegsamtbaren Schreibtisch und einem Stuhl")
     assert {entity.category for entity in graph.entities} == {"desk", "chair"}
 
 
@@ -157,7 +157,7 @@ def test_nouns_of_several_meanings_are_told_by_words_around_them() -> None:
 
 
 def test_all_that_is_absent_is_excluded() -> None:
-    graph = read_request("Ein Bad mit einer Dusche, ohne Badewanne oder Teppich, weder Pflanzen noch Bilder")
+    graph = read_by_rules("Ein Bad mit einer Dusche, ohne Badewanne oder Teppich, weder Pflanzen noch Bilder")
     assert {exclusion.words for exclusion in graph.exclusions} == {"bathtub", "rug", "plants", "pictures"}
 
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def only(text):
-    (found,) = read_request(text).exclusions
+    (found,) = read_by_rules(text).exclusions
     return found
 
 
@@ -21,7 +21,7 @@ def only(text):
     ],
 )
 def test_a_color_that_is_not_wanted_is_no_color_of_the_room(text, colors):
-    brief = read_request(text)
+    brief = read_by_rules(text)
     assert set(only(text).colors) == colors
     assert not only(text).within
     assert not brief.colors and not brief.unread
@@ -34,7 +34,7 @@ def test_before_a_noun_it_is_said_of_these_things_alone():
 
 
 def test_what_begins_after_a_comma_is_wanted():
-    brief = read_request("a den, no orange, navy walls")
+    brief = read_by_rules("a den, no orange, navy walls")
     assert only("a den, no orange, navy walls").colors == ("orange",)
     assert brief.finish_of("walls").color == "navy"
 
@@ -49,12 +49,12 @@ def test_a_thing_that_is_not_wanted_is_no_look():
 
 
 def test_a_style_that_is_not_wanted_is_not_taken():
-    brief = read_request("a parlour, nothing modern")
+    brief = read_by_rules("a parlour, nothing modern")
     assert brief.style is None and brief.exclusions[0].styles == ("modern",)
 
 
 def test_nothing_with_a_thing_wants_none_of_it():
-    brief = read_request("a boy's bedroom, nothing with dinosaurs")
+    brief = read_by_rules("a boy's bedroom, nothing with dinosaurs")
     assert not brief.entities and "toy_dinosaur" in brief.without
 
 
@@ -63,6 +63,6 @@ def test_nothing_with_a_thing_wants_none_of_it():
     ["a den with a desk. NO green nothing green she keeps asking", "no red nothing red please, a sofa"],
 )
 def test_a_colour_that_is_ruled_out_twice_is_not_wanted(text: str) -> None:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert not graph.colors
     assert {shade for one in graph.exclusions for shade in one.colors} & {"green", "red"}

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.language import Grounded, Thing, grounded, read_request
+from sceneweaver.language import Grounded, Thing, grounded
+from sceneweaver.language.read import read_by_rules
 
 
 def rows(text: str) -> list[Grounded]:
-    graph = read_request(text)
+    graph = read_by_rules(text)
     things = {}
     for entity in graph.entities:
         known = category_named(entity.category)
@@ -35,7 +36,7 @@ def test_a_small_table_beside_a_bed_is_at_its_head() -> None:
 
 def test_lamps_and_photos_over_furniture_hang() -> None:
     def categories(text: str) -> set[str]:
-        return {entity.category for entity in read_request(text).entities}
+        return {entity.category for entity in read_by_rules(text).entities}
 
     assert "pendant" in categories("a dining room with a lamp low over the table")
     assert "wall_sconce" in categories("a bedroom with a lamp above the bed")

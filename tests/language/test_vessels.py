@@ -2,7 +2,7 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -16,6 +16,6 @@ from sceneweaver.language import read_request
     ],
 )
 def test_states_of_vessels(text, category, value):
-    found = read_request(text).entity(category)
+    found = read_by_rules(text).entity(category)
     assert found is not None
     assert value in [one.value for one in found.attributes if one.kind == "state"]

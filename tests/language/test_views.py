@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 @pytest.mark.parametrize(
@@ -17,20 +17,20 @@ from sceneweaver.language import read_request
     ],
 )
 def test_views_are_read(text: str, view: tuple[str, str]):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert [(one.target, one.kind) for one in graph.views] == [view]
     assert not [left.words for left in graph.unread]
 
 
 def test_middles_of_neighbours_are_no_things():
-    graph = read_request("a gym with four spin bikes in a row whose centres are at least 1.3 m apart")
+    graph = read_by_rules("a gym with four spin bikes in a row whose centres are at least 1.3 m apart")
     (row,) = graph.arrangements
     assert (row.pitch, row.at_least, row.spacing) == (1.3, True, None)
     assert [e.category for e in graph.entities] == ["spin_bike"]
 
 
 def test_tables_are_told_apart_by_their_people():
-    graph = read_request("a tavern with five tables for two and one for six in the middle")
+    graph = read_by_rules("a tavern with five tables for two and one for six in the middle")
     counts = {e.id: e.count for e in graph.entities}
     assert [(c.people, counts[c.target], c.each) for c in graph.capacities if c.target] == [
         (2, (5, 5), True),
@@ -39,12 +39,12 @@ def test_tables_are_told_apart_by_their_people():
 
 
 def test_people_in_all_tell_how_many_tables_there_are():
-    graph = read_request("a mess room that seats 20, tables of four")
+    graph = read_by_rules("a mess room that seats 20, tables of four")
     assert next(e for e in graph.entities if e.category == "dining_table").count == (5, 5)
 
 
 def test_an_audience_is_in_rows():
-    graph = read_request("a union hall, 18 chairs facing a lectern")
+    graph = read_by_rules("a union hall, 18 chairs facing a lectern")
     (rows,) = graph.arrangements
     assert (rows.pattern, rows.facing) == ("rows", "lectern")
-    assert not read_request("a lounge with two armchairs facing a fireplace").arrangements
+    assert not read_by_rules("a lounge with two armchairs facing a fireplace").arrangements

@@ -2,11 +2,11 @@
 
 import pytest
 
-from sceneweaver.language import read_request
+from sceneweaver.language.read import read_by_rules
 
 
 def finish(text, part):
-    found = read_request(text).finish_of(part)
+    found = read_by_rules(text).finish_of(part)
     assert found is not None, text
     return found
 
@@ -27,14 +27,14 @@ def test_everything_in_a_colour(text, colors):
 
 
 def test_what_is_excepted_stays():
-    graph = read_request("A bar, everything black apart from one stool, which is red.")
+    graph = read_by_rules("A bar, everything black apart from one stool, which is red.")
     assert graph.finish_of("everything") and not graph.exclusions
     assert [(e.category, e.color) for e in graph.entities] == [("stool", "red")]
 
 
 @pytest.mark.parametrize("text", ["a den with three chairs, all black", "an office with an all-white desk"])
 def test_things_in_a_colour_are_not_everything(text):
-    graph = read_request(text)
+    graph = read_by_rules(text)
     assert graph.finish_of("everything") is None and graph.entities[0].color in ("black", "white")
 
 
@@ -44,7 +44,7 @@ def test_things_in_a_colour_are_not_everything(text):
 )
 def test_a_room_is_of_something(text, material):
     assert finish(text, "walls").material == material
-    assert read_request("a bathroom with a stone bath mat").finish_of("walls") is None
+    assert read_by_rules("a bathroom with a stone bath mat").finish_of("walls") is None
 
 
 def test_floors_that_are_no_boards():
@@ -52,7 +52,7 @@ def test_floors_that_are_no_boards():
     assert finish("a studio, cork floor", "floor").pattern == "cork"
     found = finish("a club, tartan carpet wall to wall", "floor")
     assert (found.material, found.pattern) == ("carpet", "tartan")
-    assert read_request("a club with a tartan rug").finish_of("floor") is None
+    assert read_by_rules("a club with a tartan rug").finish_of("floor") is None
 
 
 def test_tiles_up_to_the_ceiling_and_a_dado():
@@ -63,22 +63,22 @@ def test_tiles_up_to_the_ceiling_and_a_dado():
 
 
 def test_the_colour_of_stuff_is_not_the_rooms():
-    assert read_request("a hangar with brown dust at the door").colors == ()
+    assert read_by_rules("a hangar with brown dust at the door").colors == ()
 
 
 def test_stuff_and_metals_that_are_said_of_the_room():
     assert finish("a workshop with sawdust on the boards", "floor").material == "wood"
-    assert read_request("a bar with three stools, brass everywhere").colors == ("brass",)
+    assert read_by_rules("a bar with three stools, brass everywhere").colors == ("brass",)
     assert finish("a den, walls half panelled in teak", "panels").color == "teak"
 
 
 def test_what_is_denied_is_no_finish():
-    graph = read_request("a den, no white walls")
+    graph = read_by_rules("a den, no white walls")
     assert graph.finish_of("walls") is None and [left.words for left in graph.unread] == ["white"]
 
 
 def test_what_a_thing_holds_is_not_its_colour():
-    graph = read_request("a stable with a crate of sand")
+    graph = read_by_rules("a stable with a crate of sand")
     assert graph.entities[0].color is None and [left.words for left in graph.unread] == ["sand"]
 
 
@@ -92,10 +92,10 @@ def test_what_a_thing_holds_is_not_its_colour():
     ],
 )
 def test_prints_and_shades_of_things(text, color, material):
-    one = read_request(text).entities[0]
+    one = read_by_rules(text).entities[0]
     assert (one.color, one.material) == (color, material)
 
 
 def test_things_in_the_order_of_their_colours():
-    (books,) = read_request("a library with twenty books sorted by colour").entities
+    (books,) = read_by_rules("a library with twenty books sorted by colour").entities
     assert books.attributes[-1].value.startswith("each of red, orange, yellow")

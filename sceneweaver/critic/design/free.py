@@ -105,7 +105,7 @@ class Plan:
         floor = floor_of(survey)
         self.cell, self.origin, self.frame = floor.cell, np.asarray(floor.origin), SE2(yaw=floor.turn)
         self.clear = self._distance(floor.inside & ~floor.taken)
-        self.entries = self._cells(np.array([middle(door, 0.5) for door in survey.placed.doors]))
+        self.entries = self._cells(np.array([middle(door, 0.5) for door in survey.placed.doors]).reshape(-1, 2))
         self._away: dict[float, Cells] = {}
 
     def _distance(self, cells: NDArray[np.bool_]) -> Cells:

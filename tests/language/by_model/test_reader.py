@@ -19,11 +19,12 @@ from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.critic.review import review_scene
-from sceneweaver.language import SceneGraph, grounded, read_request
+from sceneweaver.language import SceneGraph, grounded
 from sceneweaver.language.by_model.reader import REFUSALS, Reading, instructions, read_by_model
 from sceneweaver.language.graph import MOST
 from sceneweaver.language.meaning import meanings
 from sceneweaver.language.model import PLACES
+from sceneweaver.language.read import read_by_rules
 from sceneweaver.llm import ModelClient, ModelError, open_client
 from sceneweaver.llm.records import Recorder
 from sceneweaver.tools.base import Context
@@ -37,7 +38,7 @@ from tests.sizes import examples
 def read(text: str, *answers: Any) -> tuple[Reading, Answering]:
     """A request, read by a model with these answers."""
     model = Answering(*answers)
-    return read_by_model(model.client, text, read_request(text)), model
+    return read_by_model(model.client, text, read_by_rules(text)), model
 
 
 def consistent(graph: SceneGraph) -> None:
@@ -305,8 +306,8 @@ def test_only_the_beginning_of_an_endless_request_is_read() -> None:
 def test_a_recorded_reading_replays_the_same(answers: tuple[dict[str, Any], ...], tmp_path: Path) -> None:
     model = Answering(*answers)
     client = ModelClient(FunctionModel(model), recorder=Recorder(tmp_path / "llm", {"title": "scripted"}))
-    reading = read_by_model(client, TEXT, read_request(TEXT))
-    again = read_by_model(open_client(replay=tmp_path / "llm"), TEXT, read_request(TEXT))
+    reading = read_by_model(client, TEXT, read_by_rules(TEXT))
+    again = read_by_model(open_client(replay=tmp_path / "llm"), TEXT, read_by_rules(TEXT))
     assert again == reading
 
 
@@ -368,7 +369,7 @@ def test_distances_reach_the_relations() -> None:
 
 @pytest.mark.parametrize("text", [TEXT, "一间卧室", "a", "🛏️ 🪑"])
 def test_arbitrary_answers_of_the_right_form(text: str) -> None:
-    reading = read_by_model(ModelClient(TestModel()), text, read_request(text))
+    reading = read_by_model(ModelClient(TestModel()), text, read_by_rules(text))
     consistent(reading.graph)
     assert reading.notes
 

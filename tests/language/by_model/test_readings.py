@@ -9,9 +9,10 @@ from typing import Any
 import pytest
 
 from sceneweaver.agent.request_file import RequestFile
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import SceneGraph
 from sceneweaver.language.by_model.disagreements import Disagreement
 from sceneweaver.language.by_model.reader import Reading, read_by_model
+from sceneweaver.language.read import read_by_rules
 from tests.agent.by_model.answering import Answering
 
 TEXT = (
@@ -61,7 +62,7 @@ READ: dict[str, Any] = {
 
 def read(text: str = TEXT, **changes: Any) -> Reading:
     """The request by a model that answers as above, but for these fields."""
-    return read_by_model(Answering(READ | changes).client, text, read_request(text))
+    return read_by_model(Answering(READ | changes).client, text, read_by_rules(text))
 
 
 def rows(reading: Reading) -> set[tuple[str, str, str]]:
@@ -90,12 +91,12 @@ def facts(graph: SceneGraph) -> list[Any]:
 def test_two_that_agree_say_nothing() -> None:
     reading = read()
     assert [str(row) for row in reading.disagreements] == []
-    assert facts(reading.graph) == facts(read_request(TEXT))
+    assert facts(reading.graph) == facts(read_by_rules(TEXT))
 
 
 def test_a_thing_that_the_model_forgot_stays() -> None:
     reading = read(things=without("things", "shelf"), relations=without("relations", "shelf"))
-    assert facts(reading.graph) == facts(read_request(TEXT))
+    assert facts(reading.graph) == facts(read_by_rules(TEXT))
     assert rows(reading) == {("bookcase", "thing", "offline"), ("relation-2", "relation", "offline")}
     assert "1 bookcase offline, nothing by the model; the offline reading is used" in str(reading.disagreements[0])
     shelf = reading.graph.entity("bookcase")
@@ -173,7 +174,7 @@ def test_where_both_say_something_the_model_is_used() -> None:
 
 def test_facts_about_the_room_that_the_model_left_out_stay() -> None:
     reading = read(room={}, exclusions=[])
-    assert facts(reading.graph) == facts(read_request(TEXT))
+    assert facts(reading.graph) == facts(read_by_rules(TEXT))
     used = {name: used for item, name, used in rows(reading) if item == "room"}
     assert set(used) >= {"room_type", "size", "scale", "people", "style"}
     assert set(used.values()) == {"offline"}
@@ -216,9 +217,9 @@ def test_a_pair_that_was_told_apart_is_the_same_as_two() -> None:
             {"type": "between", "subject": "t", "targets": ["s"], "quote": "between"},
         ],
     }
-    reading = read_by_model(Answering(answer).client, text, read_request(text))
+    reading = read_by_model(Answering(answer).client, text, read_by_rules(text))
     assert [str(row) for row in reading.disagreements] == []
-    assert facts(reading.graph) == facts(read_request(text))
+    assert facts(reading.graph) == facts(read_by_rules(text))
 
 
 def test_a_language_that_is_claimed_does_not_hide_what_was_read() -> None:
@@ -234,7 +235,7 @@ def test_rows_are_data_and_one_line_each() -> None:
 
 
 def test_the_file_of_a_request_names_them_and_is_as_before_without_any(tmp_path: Path) -> None:
-    graph, said = read_request(TEXT), ("room, people: 2 offline, 3 by the model; the model reading is used",)
+    graph, said = read_by_rules(TEXT), ("room, people: 2 offline, 3 by the model; the model reading is used",)
     plain = RequestFile(schema="sceneweaver.request/1", graph=graph, summary={"total": 0}, outcomes=())
     plain.save(tmp_path / "plain.json")
     assert "disagreements" not in json.loads((tmp_path / "plain.json").read_text())
