@@ -11,6 +11,16 @@ from ..source import Source
 from .analysis import Analysis, Link
 from .labels import LINKS, WHERE
 
+SURE, SURER = 0.55, 0.8
+"""How sure a link is that is added; where the rules took its words for something else."""
+
+DOUBTED, LOOSE = 0.02, 0.1
+"""How sure the analysis is at most of a relation of the rules that is dropped; of one that only follows from "with", or
+of what was counted out over a group."""
+
+CERTAIN = 0.85
+"""How sure it is of a thing that the rules did not read, or of what they took for one."""
+
 _FIRST = LINKS.index(WHERE[0])
 _WHERE = slice(_FIRST, _FIRST + len(WHERE))
 _EACH = LINKS.index("each")
@@ -98,3 +108,8 @@ class Matched:
 def overlap(one: Span | None, other: Span | None) -> bool:
     """Whether two pieces of the text have a character in common."""
     return one is not None and other is not None and one.start < other.end and other.start < one.end
+
+
+def below(sure: float | None, least: float) -> bool:
+    """Whether the analysis holds something for less sure than that; not where it knows nothing of it."""
+    return sure is not None and sure < least
