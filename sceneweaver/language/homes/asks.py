@@ -24,6 +24,9 @@ SINGLE = 45.0
 LISTED = 3
 """The same where no home is named: rooms of at least two kinds, none of which the others belong to."""
 
+_SURFACES = frozenset(("floor", "floors", "ground", "surface", "surfaces", "roof", "ceiling", "screen"))
+"""What is flat without being lived in."""
+
 
 @lru_cache(maxsize=256)
 def is_home(request: str) -> bool:
@@ -46,6 +49,8 @@ def is_home(request: str) -> bool:
     if mixed_in(said.tokens) is not None:
         return True
     named = use_in(said.tokens)
+    if named is not None and _is_quality(said.tokens, named[1]):
+        named = None
     whole = named is not None and said.tokens[named[1]].get("use")[1] and not _room_first(said.tokens, named[1])
     of_one_room = named is not None and _is_one_kind(said.tokens, named[1])
     if whole and not of_one_room:
@@ -66,6 +71,17 @@ def is_home(request: str) -> bool:
         return True
     several = sure >= LISTED and len({one.kind.name for one in rooms}) > 1
     return several and (_is_list(reading.tokens, rooms) or _is_unknown_place(reading.tokens, rooms))
+
+
+def _is_quality(tokens: tuple[Token, ...], at: int) -> bool:
+    """Whether "flat" is what a floor is like and no home: "the floor 6 x 6 m, flat, no rugs", "a flat floor"."""
+    if tokens[at].text != "flat":
+        return False
+    if at + 1 < len(tokens) and tokens[at + 1].text in _SURFACES:
+        return True
+    ends = at + 1 == len(tokens) or tokens[at + 1].breaks
+    begun = max((k for k in range(at) if tokens[k].stops), default=-1)
+    return ends and at > 0 and tokens[at - 1].breaks and any(t.text in _SURFACES for t in tokens[begun + 1 : at])
 
 
 def _is_one_kind(tokens: tuple[Token, ...], at: int) -> bool:

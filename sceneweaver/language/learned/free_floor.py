@@ -19,6 +19,7 @@ PHRASE = 60
 
 _TURN = re.compile(r"\bturn|circle|spin|pivot")
 _WAY = re.compile(r"\b(?:(?:way|path|aisle|route|passage|corridor|lane|walkway|gangway)s?|access|get|walk|pass)\b")
+_BREAK = re.compile(r"[.;!?)](?:\s|$)|\n")
 _LENGTH = re.compile(LENGTH)
 _PLACES = {"corner": "corner", "middle": "middle", "centre": "middle", "center": "middle", "wall": "wall"}
 _BESIDE = {"around": "around", "front": "front", "behind": "back", "beside": "sides"}
@@ -41,6 +42,7 @@ def keep_free(both: Matched, sure: float) -> None:
 def _area(both: Matched, number: int) -> FreeArea:
     links = both.found.links
     measures = [link.one for link in links if link.name == "of" and link.other == number]
+    measures = [one for one in measures if not _BREAK.search(_between(both, one, number))]
     size, told = _size(both, measures)
     spans = [both.span(k) for k in (number, *told)]
     span = Span(min(s.start for s in spans), max(s.end for s in spans))
@@ -50,6 +52,12 @@ def _area(both: Matched, number: int) -> FreeArea:
     width = size[0] if size else WIDTHS[kind]
     sides = (width, size[1]) if len(size) > 1 and kind == "rectangle" else (width, width)
     return FreeArea(kind=kind, size=sides, targets=names, side=side, words=words, span=span)  # type: ignore[arg-type]
+
+
+def _between(both: Matched, one: int, other: int) -> str:
+    """The text between two mentions."""
+    first, second = sorted((both.span(one), both.span(other)))
+    return both.text[first.end : second.start]
 
 
 def _is_of_room(both: Matched, area: FreeArea) -> bool:

@@ -118,7 +118,12 @@ def _is_placed(both: Matched, thing: Mention, place: int, part: str) -> bool:
 
 def _is_used(both: Matched, place: int) -> bool:
     """Whether the rules took the words of a place, or what stands for a thing there, for where something else is."""
-    return any(overlap(said.span, both.span(place)) for said in both.parsed.said if not said.implied)
+    return any(_is_said_of(said, both.span(place)) for said in both.parsed.said if not said.implied)
+
+
+def _is_said_of(said: Said, place: Span) -> bool:
+    """Whether a relation is told by the words right before a noun, or by the noun."""
+    return said.span is not None and overlap(Span(said.span.start, said.span.end + REACH), place)
 
 
 def drop_doubted(both: Matched) -> None:

@@ -52,6 +52,8 @@ def test_several_rooms_are_a_home(text):
         "a dentist's surgery with a chair and a lamp",
         "an open-plan office with a meeting corner and phone booths",
         "a towel that hangs flat, and three floor lamps",
+        "A hall for robots. Floor 6 x 6 m, flat, no rugs.",
+        "a room 4 x 5 m with a flat floor and one table",
         "a hotel room with a bathroom",
         "doll's house on a shelf in a nursery",
         "cabin of a ship with two bunks",
