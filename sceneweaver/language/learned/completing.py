@@ -19,6 +19,7 @@ from .matched import CERTAIN, LOOSE, SURE, Matched, below, overlap
 from .placing import cover, drop_doubted, place
 from .room import tell_of_room
 
+_OWN = re.compile(r"\b(?:each|every|own|per|its|their)\b", re.I)
 _BEFORE = re.compile(r"(?<![\w.,])(\d{1,3}|[a-z-]+)\s+$")
 
 
@@ -154,7 +155,8 @@ def _count_back(both: Matched) -> None:
         group = mention.per
         if group is None or mention.count is None or mention.span is None:
             continue
-        if _number_in(both, mention.span.start, mention.span.end) > 1:  # "four mats, one for each of four chairs"
+        told = _OWN.search(both.text, max(0, mention.span.start - 12), mention.span.end)  # "its own mirror"
+        if told or _number_in(both, mention.span.start, mention.span.end) > 1:  # "four mats, one for each chair"
             continue
         if not below(both.each(group, mention), LOOSE):
             continue

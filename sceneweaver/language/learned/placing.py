@@ -42,6 +42,9 @@ PHRASE = 40
 _EACH = re.compile(
     r"\b(?:(?:on|at|to)\s+)?(?:each|every|either|both|per|own)(?:\s+(?:one|of|sides?|ends?|own))*\b", re.I
 )
+_TIED = re.compile(
+    r"\b(?:at|around|round|to|by|for|with|each|its|own|per|every|behind|before|under|along|in|of)\b", re.I
+)
 _SIDE = re.compile(r"\b(?:left|right)$")
 _GLAZED = re.compile(r"window|light|dormer|pane|glass")
 
@@ -58,7 +61,7 @@ def place(both: Matched, plain: Callable[[str], Parsed]) -> None:
         if target is not None and target is not thing:
             if link.name == "between":
                 between.setdefault(thing, []).append((target, link))
-            elif not _is_said(both.parsed, link.name, thing, target):
+            elif not _is_said(both.parsed, link.name, thing, target) and not _is_listed(both, link):
                 kind = Place(TYPES[link.name], words=SPOKEN.get(link.name, link.name))
                 beside = _table_beside(both.parsed, thing, target) if link.name in BESIDE else None
                 if beside is not None:  # "nightstand and lamp each side"
@@ -92,6 +95,12 @@ def cover(both: Matched, link: Link) -> None:
         apart = both.text[min(found.end(), end.end) : max(found.start(), start.start)]
         if not re.search(r"[.;!?\n]", apart):
             both.parsed.referred.append(Span(*found.span()))
+
+
+def _is_listed(both: Matched, link: Link) -> bool:
+    """Whether a seat and a table are only named one after the other: which seats are at which is known of the room."""
+    first, second = sorted((both.span(link.one), both.span(link.other)))
+    return link.name == "at" and not _TIED.search(both.text[first.end : second.start])
 
 
 def _is_said(parsed: Parsed, name: str, thing: Mention, target: Mention) -> bool:

@@ -60,6 +60,11 @@ def test_what_the_rules_said_stays_and_is_not_said_twice():
     assert said(graph) == said(read_by_rules(text)) != set()
 
 
+def test_a_seat_and_a_table_of_one_list_are_not_tied():
+    named = [("table", "thing"), ("chairs", "thing")]
+    assert not completed("a den with a table and ten chairs", named, [("at", 1, 0, 0.9)]).relations
+
+
 def test_what_the_analysis_takes_for_nothing_is_dropped():
     text = "a den with a lamp next to a sofa"
     assert not said(completed(text, [("lamp", "thing"), ("sofa", "thing")], []))
