@@ -42,9 +42,7 @@ PHRASE = 40
 _EACH = re.compile(
     r"\b(?:(?:on|at|to)\s+)?(?:each|every|either|both|per|own)(?:\s+(?:one|of|sides?|ends?|own))*\b", re.I
 )
-_TIED = re.compile(
-    r"\b(?:at|around|round|to|by|for|with|each|its|own|per|every|behind|before|under|along|in|of)\b", re.I
-)
+_TIED = re.compile(r"\b(?:at|around|to|by|for|with|each|its|own|per|every|behind|before|under|along|in|of)\b", re.I)
 _SIDE = re.compile(r"\b(?:left|right)$")
 _GLAZED = re.compile(r"window|light|dormer|pane|glass")
 
