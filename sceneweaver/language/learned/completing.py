@@ -15,7 +15,7 @@ from ..vocabulary import NUMBERS, vocabulary
 from .analysis import Analysis
 from .free_floor import keep_free
 from .labels import WHERE
-from .matched import CERTAIN, LOOSE, SURE, Matched, below, overlap
+from .matched import CERTAIN, DOUBTED, SURE, Matched, below, overlap
 from .placing import cover, drop_doubted, place
 from .room import tell_of_room
 
@@ -158,7 +158,7 @@ def _count_back(both: Matched) -> None:
         told = _OWN.search(both.text, max(0, mention.span.start - 12), mention.span.end)  # "its own mirror"
         if told or _number_in(both, mention.span.start, mention.span.end) > 1:  # "four mats, one for each chair"
             continue
-        if not below(both.each(group, mention), LOOSE):
+        if not below(both.each(group, mention), DOUBTED):
             continue
         low, high = group.count or (1, 1)
         mention.per = None

@@ -14,9 +14,9 @@ from .labels import LINKS, WHERE
 SURE, SURER = 0.55, 0.8
 """How sure a link is that is added; where the rules took its words for something else."""
 
-DOUBTED, LOOSE = 0.02, 0.1
-"""How sure the analysis is at most of a relation of the rules that is dropped; of one that only follows from "with", or
-of what was counted out over a group."""
+DOUBTED, UNSAID = 0.1, 0.02
+"""How sure the analysis is at most of what is taken back: what was counted out over a group, and a relation that only
+follows from "with". What the rules read in so many words stays."""
 
 CERTAIN = 0.85
 """How sure it is of a thing that the rules did not read, or of what they took for one."""
@@ -85,14 +85,6 @@ class Matched:
         shares = self.found.shares
         sure = (max(float(shares[a + 1, b + 1, _WHERE].max()), float(shares[a + 1, b + 1, _EACH])) for a, b in pairs)
         return max(sure, default=None)
-
-    def placed(self, thing: Mention, span: Span) -> float | None:
-        """How sure it is at most that a thing is at a place or an opening that stands in some words; None where there
-        is no such thing or place."""
-        numbers = self._numbers([thing])
-        places = [k for k, n in enumerate(self.found.named) if n.kind in ("place", "opening") and overlap(n.span, span)]
-        pairs = [(a, b) for a in numbers for b in places]
-        return max((float(self.found.shares[a + 1, b + 1, _WHERE].max()) for a, b in pairs), default=None)
 
     def each(self, owner: Mention, thing: Mention) -> float | None:
         """How sure it is at most that each of some owners has the thing; None where it lacks one of them."""

@@ -1,4 +1,4 @@
-"""Where things are, as the learned analysis finds it: what it adds to the relations of the rules, and takes out."""
+"""Where things are, as the learned analysis finds it beside the relations of the rules."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..relating import relate
 from ..state import State
 from ..vocabulary import Place
 from .analysis import Link
-from .matched import DOUBTED, LOOSE, SURE, SURER, Matched, below, overlap
+from .matched import SURE, SURER, UNSAID, Matched, below, overlap
 
 TYPES = {
     "on": "on", "in": "inside", "under": "below", "above": "above", "beside": "next_to", "near": "near",
@@ -32,6 +32,9 @@ MUTUAL = frozenset(("beside", "near", "far", "facing", "opposite", "sees"))
 
 BESIDE = ("beside", "near", "left", "right", "flank")
 """Links of what is next to something."""
+
+HOLDING = ("on", "inside", "hanging_from", "leaning_on")
+"""Types of relations of a thing to what holds it."""
 
 REACH = 16
 """Characters from two mentions to the words that tell of each one."""
@@ -59,7 +62,7 @@ def place(both: Matched, plain: Callable[[str], Parsed]) -> None:
         if target is not None and target is not thing:
             if link.name == "between":
                 between.setdefault(thing, []).append((target, link))
-            elif not _is_said(both.parsed, link.name, thing, target) and not _is_listed(both, link):
+            elif not (_is_said(both, link, thing, target) or _is_listed(both, link) or _has(both, link, thing)):
                 kind = Place(TYPES[link.name], words=SPOKEN.get(link.name, link.name))
                 beside = _table_beside(both.parsed, thing, target) if link.name in BESIDE else None
                 if beside is not None:  # "nightstand and lamp each side"
@@ -95,18 +98,25 @@ def cover(both: Matched, link: Link) -> None:
             both.parsed.referred.append(Span(*found.span()))
 
 
+def _has(both: Matched, link: Link, thing: Mention) -> bool:
+    """Whether the rules have such a relation of a thing to another, of which there is one: what holds it, its sides."""
+    kind = TYPES[link.name]
+    alike = HOLDING if kind in HOLDING else (kind,)
+    return any(said.type in alike and thing in said.subjects and not said.implied for said in both.parsed.said)
+
+
 def _is_listed(both: Matched, link: Link) -> bool:
     """Whether a seat and a table are only named one after the other: which seats are at which is known of the room."""
     first, second = sorted((both.span(link.one), both.span(link.other)))
     return link.name == "at" and not _TIED.search(both.text[first.end : second.start])
 
 
-def _is_said(parsed: Parsed, name: str, thing: Mention, target: Mention) -> bool:
+def _is_said(both: Matched, link: Link, thing: Mention, target: Mention) -> bool:
     """Whether something is said of two things already, or denied."""
-    for said in (*parsed.said, *parsed.barred):
+    for said in (*both.parsed.said, *both.parsed.barred):
         if thing in said.subjects and (target in said.targets or (target in said.subjects and len(said.subjects) > 1)):
             return True
-        if name in MUTUAL and target in said.subjects and thing in said.targets:
+        if link.name in MUTUAL and target in said.subjects and thing in said.targets:
             return True
     return False
 
@@ -134,19 +144,14 @@ def _is_said_of(said: Said, place: Span) -> bool:
 
 
 def drop_doubted(both: Matched) -> None:
-    """What the rules said of where things are and the analysis takes for nothing."""
-    for said in list(both.parsed.said):
+    """Relations that only follow from "with" and that the analysis takes for nothing."""
+    for said in [said for said in both.parsed.said if said.implied]:
         others = [target for target in said.targets if isinstance(target, Mention)]
-        least = LOOSE if said.implied else DOUBTED
-        if len(others) == len(said.targets):
-            doubted = [m for m in said.subjects if below(both.related([m], others), least)]
-        elif not others and said.span is not None:
-            doubted = [m for m in said.subjects if below(both.placed(m, said.span), least)]
-        else:
-            continue
-        said.subjects = [m for m in said.subjects if m not in doubted]
-        if not said.subjects:
-            both.parsed.said.remove(said)
+        if others and len(others) == len(said.targets):
+            doubted = [m for m in said.subjects if below(both.related([m], others), UNSAID)]
+            said.subjects = [m for m in said.subjects if m not in doubted]
+            if not said.subjects:
+                both.parsed.said.remove(said)
 
 
 def _said_plainly(both: Matched, link: Link, thing: Mention, other: int, plain: Callable[[str], Parsed]) -> list[Said]:
