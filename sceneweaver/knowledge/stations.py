@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Protocol
 from sceneweaver.assets.roles import groups_above, has_role
 from sceneweaver.assets.taxonomy import category_named
 
+from . import desk_sides
 from .belongings import place_with
 from .model import Place
 
@@ -23,15 +24,9 @@ _FRONTAL = ("front_to_front", "front_against", "in_front_of")
 """Relations of pairs of which one is before the other."""
 
 
-class Said(Protocol):
+class Said(desk_sides.Said, Protocol):
     """A stated relation, as far as it counts here."""
 
-    @property
-    def type(self) -> Any: ...
-    @property
-    def subject(self) -> str: ...
-    @property
-    def targets(self) -> tuple[str, ...]: ...
     @property
     def each(self) -> bool: ...
     @property

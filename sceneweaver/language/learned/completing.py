@@ -68,7 +68,7 @@ def _head(noun: str) -> str:
 
 
 def _is_read(both: Matched, span: Span) -> bool:
-    """Whether a statement of the rules has words, that things are made of neither way."""
+    """Whether a statement of the rules took some words, so that they name no thing more."""
     parsed = both.parsed
     statements = (
         *(parsed.unwanted, parsed.barred, parsed.stated_openings, parsed.finishes, parsed.capacities),
@@ -175,7 +175,7 @@ def _count_out(both: Matched) -> None:
             continue
         group = both.things.get(owner)
         if group is None and both.kind(owner) == "person":
-            many = number_of_people(both, owner)
+            many = _number_of_people(both, owner)
         else:
             low, high = (group.count if group is not None else None) or (1, 1)
             many = low if low == high else 1
@@ -184,7 +184,7 @@ def _count_out(both: Matched) -> None:
             cover(both, link)
 
 
-def number_of_people(both: Matched, number: int) -> int:
+def _number_of_people(both: Matched, number: int) -> int:
     """How many a mention of people is told to be; of a mention that is said again, the first that tells."""
     words = both.words(number).split()[-1].rstrip("s")
     people = [k for k, named in enumerate(both.found.named) if named.kind == "person"]

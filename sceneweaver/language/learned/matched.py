@@ -42,13 +42,10 @@ class Matched:
     source: Source
     parsed: Parsed
     found: Analysis
-    things: dict[int, Mention] = field(default_factory=dict[int, Mention])
+    things: dict[int, Mention] = field(init=False, default_factory=dict[int, Mention])
 
     def __post_init__(self) -> None:
-        self.match()
-
-    def match(self) -> None:
-        """Finds the things that both have: of several on the same words the one that ends where the other does."""
+        # of several things on the same words it is the one that ends where the other does
         for number, named in enumerate(self.found.named):
             over = [m for m in self.parsed.mentions if overlap(m.span, named.span)]
             if named.kind == "thing" and over:
