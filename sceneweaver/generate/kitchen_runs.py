@@ -67,7 +67,7 @@ def galley_spared(room_type: RoomType, brief: SceneGraph, roles: dict[str, tuple
 
 def sides_meant(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
     """A request in which a unit "on the opposite side" is opposite the other run, and not opposite its own neighbour:
-    "sink and dishwasher one side, cooker and fridge opposite side"."""
+    "oven and hob on this side, sink and freezer on the other"."""
     units = run_categories(room_type)
     if not in_two_runs(brief, units):
         return brief

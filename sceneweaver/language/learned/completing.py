@@ -121,7 +121,7 @@ def _add_things(both: Matched, plain: Callable[[str], Parsed]) -> None:
 
 
 def _named_again(both: Matched, number: int) -> Mention | None:
-    """What a noun means that the rules made nothing of, as it is named elsewhere: "his side of the bed"."""
+    """What a noun means that the rules made nothing of, as it is named elsewhere: "up to the far edge of the tub"."""
     if any(_is_of(left, both, both.span(number)) for left in both.parsed.unread):
         return None
     head = _head(both.words(number))

@@ -65,7 +65,7 @@ def place(both: Matched, plain: Callable[[str], Parsed]) -> None:
             elif not (_is_said(both, link, thing, target) or _is_listed(both, link) or _has(both, link, thing)):
                 kind = Place(TYPES[link.name], words=SPOKEN.get(link.name, link.name))
                 beside = _table_beside(both.parsed, thing, target) if link.name in BESIDE else None
-                if beside is not None:  # "nightstand and lamp each side"
+                if beside is not None:  # "a bed with a table and a lamp at either side"
                     kind, target = Place("on", words="on"), beside
                     many = beside.count or ((2, 2) if link.name == "flank" else None)
                     thing.count = many if thing.count in (None, (1, 1)) else thing.count

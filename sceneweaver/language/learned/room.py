@@ -29,7 +29,7 @@ def tell_of_room(both: Matched, sure: float) -> None:
 
 
 def _bare(words: str, told: list[str]) -> list[float]:
-    """A number without a unit is of metres where another measure is: "3.5 m wide, 9 deep"."""
+    """A number without a unit is of metres where another measure is: "4 m broad, 7 long"."""
     found = _NUMBER.match(words)
     metres = any(re.search(r"\d\s?m\b", other) for other in told)
     return [float(found[0].replace(",", "."))] if found and metres else []

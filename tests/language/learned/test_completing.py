@@ -114,19 +114,21 @@ def test_floor_is_kept_free(link, kind, targets, side):
 
 
 def test_a_room_gets_the_sides_that_are_told_one_by_one():
-    text = "a shop 3.5 m wide, 9 deep, with shelves"
-    named = [("shop", "room"), ("3.5 m", "measure"), ("9", "measure"), ("shelves", "thing")]
+    text = "a shed 3.2 m broad, 7 long, with shelves"
+    named = [("shed", "room"), ("3.2 m", "measure"), ("7", "measure"), ("shelves", "thing")]
     assert read_by_rules(text).size is None
-    assert completed(text, named, [("of", 1, 0, 0.9), ("of", 2, -1, 0.9)]).size == (9.0, 3.5)
+    assert completed(text, named, [("of", 1, 0, 0.9), ("of", 2, -1, 0.9)]).size == (7.0, 3.2)
     assert completed(text, named, [("of", 1, 3, 0.9), ("of", 2, 3, 0.9)]).size is None
 
 
 def test_the_network_of_the_package_reads_what_rules_do_not():
     assert shipped().about["links"] > 0.55
-    graph = read_request("Each girl own desk and chair, two girls. Keep a clear 90 cm way from the door to the bed.")
-    assert [graph.entity(name).count for name in ("desk", "chair")] == [(2, 2), (2, 2)]
+    graph = read_request(
+        "Three pupils, every pupil with own easel and stool. Leave a free 80 cm passage from the door to the sink."
+    )
+    assert [graph.entity(name).count for name in ("easel", "stool")] == [(3, 3), (3, 3)]
     (way,) = graph.free_areas
-    assert (way.kind, way.size, way.targets) == ("path", (0.9, 0.9), ("door", "bed"))
+    assert (way.kind, way.size, way.targets) == ("path", (0.8, 0.8), ("door", "sink_cabinet"))
 
 
 def test_equal_texts_are_analysed_equally():
